@@ -30,7 +30,14 @@ const SCENES: [&str; 6] = [
 
 fn terms(variants: usize) -> Terms {
     let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
-    Terms { variants, seed: 7, flattest: 15.0_f64.to_radians(), hand, max_tolerance: 0.1 }
+    Terms {
+        variants,
+        seed: 7,
+        flattest: 15.0_f64.to_radians(),
+        hand,
+        max_tolerance: 0.1,
+        loose: exam::Loose::default(),
+    }
 }
 
 fn drawn(scene: &Scene, variants: usize, workers: usize) -> Drawn {
@@ -220,6 +227,7 @@ fn run_on(scene: &Path, folder: &Folder, more: &[&str]) -> (i32, String, String)
         .arg(scene)
         .arg("-o")
         .arg(&folder.0)
+        .args(["--text", "embed"])
         .args(more)
         .output()
         .unwrap();
@@ -520,7 +528,7 @@ fn marks_tolerances_and_answer_sheets() {
     std::fs::write(&file, scene.to_string()).unwrap();
     let names = std::env::temp_dir().join(format!("linkgram-exam-{}-names.txt", std::process::id()));
     std::fs::write(&names, "Ada\n\nBob, B.\nEve\n").unwrap();
-    let more = ["--names", names.to_str().unwrap(), "--max-tolerance", "0.6%"];
+    let more = ["--names", names.to_str().unwrap(), "--max-tolerance", "0.6%", "--loose", "ask"];
     let (code, out, err) = run_on(&file, &folder, &more);
     assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.contains("flagged: ") && out.contains("--max-tolerance"), "{out}");
@@ -535,7 +543,9 @@ fn marks_tolerances_and_answer_sheets() {
     assert!((mark(of(&rate, "value")) - 2.0).abs() < 1e-9);
     for line in key.iter().filter(|line| line[2] == "magnitude" || line[2] == "value") {
         let (value, tolerance): (f64, f64) = (line[4].parse().unwrap(), line[5].parse().unwrap());
-        assert!(tolerance <= 0.0065 * value.abs(), "{line:?}");
+        // However strict, two readings off the paper are always allowed.
+        let least = if line[2] == "magnitude" { 0.011 } else { 0.0065 };
+        assert!(tolerance <= least * value.abs(), "{line:?}");
     }
     // Typed from the answer sheet: two boxes filled, the others empty.
     let typed: String = folder

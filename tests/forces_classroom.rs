@@ -15,7 +15,14 @@ use crate::common;
 
 fn terms(variants: usize) -> Terms {
     let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
-    Terms { variants, seed: 7, flattest: 15.0_f64.to_radians(), hand, max_tolerance: 0.1 }
+    Terms {
+        variants,
+        seed: 7,
+        flattest: 15.0_f64.to_radians(),
+        hand,
+        max_tolerance: 0.1,
+        loose: exam::Loose::default(),
+    }
 }
 
 /// A slider-crank with everything that a scene of forces may say.

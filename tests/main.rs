@@ -3,6 +3,7 @@
 //! A file of `tests/` is a module here, with one line below; `cargo test --test all chains::` runs the tests of one. What
 //! tests share is in `common/` and `sheets/`.
 
+mod classroom;
 mod common;
 mod sheets;
 

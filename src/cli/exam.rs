@@ -45,7 +45,9 @@ pub(super) struct Job {
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let format = format(job)?;
-    let options = Options { lettering: lettering(job)?, ..Options::default() };
+    // Banks are shown by browsers, sheets by whatever there is.
+    let options = Options { lettering: lettering(job, Lettering::default())?, ..Options::default() };
+    let sheets = Options { lettering: lettering(job, Lettering::portable())?, ..Options::default() };
     let languages = languages(job)?;
     let names = job.names.as_deref().map(names).transpose()?;
     let wanted = job.variants.or(names.as_ref().map(Vec::len)).unwrap_or(0);
@@ -87,11 +89,19 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         format!("not asked, since a careful hand may miss it by more than is allowed: {}\n", names.join(", "))
     });
     let folder =
-        Folder { path: &job.output, exam: identity(text.as_bytes(), &terms, format, &options, &languages) };
+        Folder { path: &job.output, exam: identity(text.as_bytes(), &terms, format, &sheets, &languages) };
     let known = folder.known_attempts(wanted)?;
     let scene = less.map_or(scene, |(less, _)| less);
-    let work =
-        Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
+    let work = Work {
+        scene: &scene,
+        terms,
+        workers,
+        format,
+        options,
+        sheets,
+        languages: &languages,
+        folder: &folder,
+    };
     let (variants, told) = work.variants(known.as_deref())?;
     work.can_be_written(&variants)?;
     let _held = folder.begin(&variants)?;
@@ -176,8 +186,8 @@ fn format(job: &Job) -> Result<Format, Failure> {
     }
 }
 
-fn lettering(job: &Job) -> Result<Lettering, Failure> {
-    let Some(name) = &job.text else { return Ok(Lettering::default()) };
+fn lettering(job: &Job, unsaid: Lettering) -> Result<Lettering, Failure> {
+    let Some(name) = &job.text else { return Ok(unsaid) };
     Lettering::from_name(name).ok_or_else(|| {
         Failure(format!("--text {name}: choose {}", Lettering::ALL.map(Lettering::name).join(", ")))
     })
@@ -314,6 +324,8 @@ struct Work<'a> {
     workers: usize,
     format: Format,
     options: Options,
+    /// The same of what is printed.
+    sheets: Options,
     languages: &'a [Language],
     folder: &'a Folder<'a>,
 }
@@ -354,8 +366,8 @@ impl Work<'_> {
         for (variant, language) in variants.iter().zip(self.languages) {
             let figure = exam::question(&variant.scene, *language)
                 .map_err(|error| not_drawn(&variant.scene, &error))?;
-            for format in [self.format, Format::Svg] {
-                render::render(&figure, format, &self.options)
+            for (format, options) in [(self.format, &self.sheets), (Format::Svg, &self.options)] {
+                render::render(&figure, format, options)
                     .map_err(|error| super::not_written(&variant.scene, &error))?;
             }
         }
@@ -401,7 +413,7 @@ impl Work<'_> {
             let question = exam::question(scene, language).map_err(|error| not_drawn(scene, &error))?;
             let solution = exam::solution(scene, language).map_err(|error| not_drawn(scene, &error))?;
             for (folder, figure) in [("questions", question), ("solutions", solution)] {
-                let bytes = render::render(&figure, self.format, &self.options);
+                let bytes = render::render(&figure, self.format, &self.sheets);
                 let bytes = bytes.map_err(|error| Failure(error.to_string()))?;
                 all.push((self.path(folder, variant, language), bytes));
             }
@@ -452,7 +464,7 @@ impl Work<'_> {
         if let Some(first) = variants.first() {
             for &language in self.languages {
                 let figure = exam::form(self.scene, first, language);
-                let bytes = render::render(&figure, self.format, &self.options)
+                let bytes = render::render(&figure, self.format, &self.sheets)
                     .map_err(|error| Failure(error.to_string()))?;
                 let name = format!("answer-sheet.{}.{}", language.words().tag, self.format.name());
                 all.push((root.join(name), bytes));

@@ -9,7 +9,7 @@ use crate::files;
 use crate::grade::{self, Allowed, GradeError, GradeSettings, HandIn, Report};
 use crate::parallel;
 use crate::render::theme::Theme;
-use crate::render::{self, Format};
+use crate::render::{self, Format, Lettering};
 use crate::scene::Scene;
 use crate::sheet::Figure;
 use crate::solve::Hand;
@@ -94,8 +94,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
                     files::shown(path)
                 )));
             };
-            let bytes = render::render(&figure, *format, &render::Options::default())
-                .map_err(|error| Failure(error.to_string()))?;
+            let options = render::Options { lettering: Lettering::portable(), ..render::Options::default() };
+            let bytes =
+                render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))?;
             files::write_all(&[(path.clone(), bytes)])?;
         }
         Some(Output::Page(path)) => {

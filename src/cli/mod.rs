@@ -307,7 +307,8 @@ enum Command {
         /// Format of the sheets: svg or pdf
         #[arg(long, value_name = "FORMAT")]
         format: Option<String>,
-        /// Text of SVG sheets and of the banks' figures: embed (with the glyphs that it uses), live or outline (paths)
+        /// Text of SVG sheets and of the banks' figures: outline (paths), embed (with the glyphs that it uses) or live;
+        /// where nothing is said, sheets are outlined and figures of banks embed
         #[arg(long, value_name = "KIND")]
         text: Option<String>,
         /// Languages: en, ar, ar-x-ajala, fa; several with commas

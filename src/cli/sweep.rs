@@ -621,18 +621,35 @@ impl Report<'_> {
 
     fn text(&self) -> String {
         let mut out = String::new();
+        // Everything is told in the order of the motion.
+        let back = self.sweep.is_backwards();
+        let [from, to] = self.sweep.passed();
+        let sense = match self.sweep.input {
+            InputKind::Angle(_) if back => " (it turns clockwise)",
+            _ if back => " (as it is driven)",
+            _ => "",
+        };
         let _ = writeln!(
             out,
-            "{} from {} to {}; {} operations for one position",
+            "{} from {} {}to {}{sense}; {} operations for one position",
             self.input(),
-            self.place(self.sweep.range[0]),
-            self.place(self.sweep.range[1]),
+            self.place(from),
+            if back { "down " } else { "" },
+            self.place(to),
             self.sweep.operations()
         );
         if let Some(why) = &self.unconfirmed {
             let _ = writeln!(out, "not confirmed: {why}");
         }
-        for (from, to, apart) in self.moves() {
+        let mut moves = self.moves();
+        let mut events: Vec<&Event> = self.sweep.events.iter().collect();
+        let mut reversals: Vec<_> = self.reversals.iter().collect();
+        if back {
+            moves = moves.into_iter().rev().map(|(from, to, apart)| (to, from, apart)).collect();
+            events.reverse();
+            reversals.reverse();
+        }
+        for (from, to, apart) in moves {
             let apart = if apart { " (only by taking the mechanism apart)" } else { "" };
             let (from, to) = (self.place(from), self.place(to));
             let _ = writeln!(out, "moves from {from} to {to}{apart}");
@@ -640,10 +657,10 @@ impl Report<'_> {
         for (asked, why) in &self.sweep.without {
             let _ = writeln!(out, "{}: {}", asked.name, reason(*why));
         }
-        for event in &self.sweep.events {
+        for event in events {
             let _ = writeln!(out, "{}", self.event(event));
         }
-        for reversal in &self.reversals {
+        for reversal in reversals {
             let _ = writeln!(out, "{}", self.reversal(reversal));
         }
         for stroke in self.sweep.strokes() {

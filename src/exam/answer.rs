@@ -1,10 +1,11 @@
 //! The numbers that a student hands in, and how far they may be off.
 
+use crate::graphical::construction::Construction;
 use crate::mechanism::force::{Action, Force, Through};
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::mechanism::{LinkId, Path, Rider};
 use crate::scene::Scene;
-use crate::sheet::Part;
+use crate::sheet::{Marked, Part};
 use crate::tolerance::{Allowance, Room, is_place};
 
 /// One number of the key.
@@ -209,6 +210,32 @@ pub(super) fn numbers(
         }
         Answer::AtInfinity { .. } | Answer::Indeterminate(_) => Vec::new(),
     }
+}
+
+/// What each answer of a scene is worth; what lies at infinity is no answer.
+pub(super) fn marked(scene: &Scene, construction: &Construction) -> Vec<Marked> {
+    let asked = scene.mechanism.asked.iter().zip(&construction.answers);
+    let mut all: Vec<Marked> = Vec::new();
+    for (asked, reading) in asked {
+        let worth = Worth::of(scene, asked);
+        let marks = worth.marks.unwrap_or(1.0);
+        let direction = match reading.answer {
+            Answer::Vector { .. } if !is_place(&asked.quantity) => {
+                Some(marks * if worth.along_guide { SENSE } else { 0.5 })
+            }
+            Answer::Vector { .. } | Answer::Scalar { .. } => None,
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => continue,
+        };
+        match all.iter_mut().find(|known| known.quantity == asked.quantity) {
+            // Asked by several methods: each has its marks.
+            Some(known) => {
+                known.marks += marks;
+                known.direction = known.direction.zip(direction).map(|(one, other)| one + other);
+            }
+            None => all.push(Marked { quantity: asked.quantity, marks, direction }),
+        }
+    }
+    all
 }
 
 /// Whole numbers in the ratio of the weights, as small as they can be; as near as whole numbers come where they are odd.

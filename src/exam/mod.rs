@@ -426,13 +426,15 @@ fn confirmed(scene: &Scene, scales: impl Fn(&Scene, Extents) -> Scales) -> Resul
     solve_confirmed(scene, Extent::WholeSkeleton, &[], Settings::default(), scales)
 }
 
-/// The question of a variant: what is given, the dimensioned skeleton, what is asked.
+/// The question of a variant: what is given, the dimensioned skeleton, what is asked, how directions are counted and what
+/// each answer is worth.
 ///
 /// # Errors
 /// None for a scene that was drawn as a variant.
 pub fn question(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
     let solved = confirmed(scene, sheet::scale::for_question)?;
-    let figure = sheet::question(scene, &solved.solution.construction, language);
+    let construction = &solved.solution.construction;
+    let figure = sheet::question_of_exam(scene, construction, language, &answer::marked(scene, construction));
     Ok(with_what_is_missing(figure, scene, &solved, language))
 }
 

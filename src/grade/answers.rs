@@ -199,7 +199,9 @@ impl Answers {
     pub(super) fn of_asked(scene: &Scene) -> Self {
         let item = |asked: &Asked| {
             let given = if is_vector(&asked.quantity) { Given::Vector([0.0; 2]) } else { Given::Signed(0.0) };
-            Item { asked: asked.clone(), given, form: Form::Polar, through: None, rounding: 0.0, at: 0 }
+            let place = crate::tolerance::is_place(&asked.quantity);
+            let form = if place { Form::Components } else { Form::Polar };
+            Item { asked: asked.clone(), given, form, through: None, rounding: 0.0, at: 0 }
         };
         let items = scene.mechanism.asked.iter().map(item).collect();
         Self { items, ..Self::none("", "") }

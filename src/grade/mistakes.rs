@@ -497,6 +497,7 @@ impl<'c> List<'c, '_> {
                     if value > 0.0 && speed > 0.0 {
                         let twist = Twist::scaled(length / speed.abs());
                         self.twisted(Kind::NormalNotSquared, &quantity, step, 0.5, twist);
+                        self.written(Kind::NormalNotSquared, &quantity, step, twist);
                     }
                     if value > 0.0 {
                         self.normals_of_others(&quantity, step, ends, [speed, length, value], &turning);
@@ -532,6 +533,7 @@ impl<'c> List<'c, '_> {
                     }
                     self.twisted(Kind::CoriolisMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::CoriolisWithoutTwo, &quantity, step, PLAIN, Twist::scaled(0.5));
+                    self.written(Kind::CoriolisWithoutTwo, &quantity, step, Twist::scaled(0.5));
                     self.twisted(Kind::CoriolisWrongTurn, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::CoriolisWrongTurn, &quantity, step, UNUSUAL);
                     if omega != 0.0 {
@@ -597,6 +599,13 @@ impl<'c> List<'c, '_> {
         let departure = Departure::LaidOff { quantity: *quantity, twist };
         let name = self.name(quantity);
         self.add(kind, &name, Some(step), price, Change::drawn(vec![departure]));
+    }
+
+    /// The same of the number alone: what follows from it was drawn rightly, or by another.
+    fn written(&mut self, kind: Kind, quantity: &Quantity, step: usize, twist: Twist) {
+        let read = Change::read(Misreading::Twisted { of: Which::One(*quantity), twist });
+        let name = self.name(quantity);
+        self.add(kind, &name, Some(step), 1.0, read);
     }
 
     fn quarters(&mut self, kind: Kind, quantity: &Quantity, step: usize, price: f64) {

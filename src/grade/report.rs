@@ -45,6 +45,8 @@ pub struct Graded {
     pub rounding: f64,
     /// Whether only a magnitude was handed in.
     pub magnitude_only: bool,
+    /// Whether the sign of the number is a sense of turning.
+    pub turns: bool,
     /// What is right; empty where it is not determined.
     pub right: Vec<f64>,
     /// By how much it may be off: the number, the magnitude of a vector, each coordinate of a place.
@@ -374,6 +376,7 @@ fn graded(
         per_mm: observation.on_paper.then(|| case.si_of_answer(observation) / si),
         rounding: observation.rounding / si,
         magnitude_only,
+        turns: observation.quantity.is_some_and(|quantity| turns(&quantity)),
         right: in_unit(right),
         tolerance: room.by / si,
         turn,
@@ -388,6 +391,18 @@ fn graded(
         step: observation.rank.1.checked_add(1),
         verdict,
         mistakes,
+    }
+}
+
+/// Whether the sign of a quantity is a sense of turning, and told as one.
+fn turns(quantity: &Quantity) -> bool {
+    match quantity {
+        Quantity::Omega(_)
+        | Quantity::RelativeOmega(..)
+        | Quantity::Alpha(_)
+        | Quantity::RelativeAlpha(..) => true,
+        Quantity::Force(force, _) => force.turns(),
+        _ => false,
     }
 }
 

@@ -107,14 +107,11 @@ impl Graded {
         });
         let text = match numbers[..] {
             [] => return "not determined here".to_owned(),
-            [value] => {
-                let turns = unit.starts_with("rad/");
-                match (turns && !self.magnitude_only, value < 0.0) {
-                    (false, _) => format!("{}{size} {unit}", digits(value, step)),
-                    (true, true) => format!("{}{size} {unit} cw", digits(-value, step)),
-                    (true, false) => format!("{}{size} {unit} ccw", digits(value, step)),
-                }
-            }
+            [value] => match (self.turns && !self.magnitude_only, value < 0.0) {
+                (false, _) => format!("{}{size} {unit}", digits(value, step)),
+                (true, true) => format!("{}{size} {unit} cw", digits(-value, step)),
+                (true, false) => format!("{}{size} {unit} ccw", digits(value, step)),
+            },
             [x, y, ..] if self.form == Form::Polar => {
                 let length = digits(libm::hypot(x, y), step);
                 let direction = trimmed(&digits(libm::atan2(y, x).to_degrees(), 0.1));

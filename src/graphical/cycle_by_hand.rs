@@ -30,12 +30,42 @@ pub fn drawn_by_hand(cycle: &Cycle, [torque, angle]: [f64; 2], hand: Hand, seed:
         Sides::Both { torque, load } => {
             paper.course(torque);
             paper.course(load);
+            level(torque, load);
         }
         Sides::Areas { .. } => {}
     }
     let misses = (0..ORDINATES).map(|_| paper.height(Given::exact(0.0)).value).collect();
     let misread = (0..ORDINATES).map(|_| paper.read_angle()).collect();
     DrawnByHand { cycle: drawn, misses, misread }
+}
+
+/// Lifts the load's curve to the mean of the torque's: what drives and what resists do the same work in a period, and who
+/// draws both sets them so.
+fn level(torque: &Course, load: &mut Course) {
+    if let (Course::Curve(torque), Course::Curve(load)) = (torque, load) {
+        let lift = mean(torque) - mean(load);
+        match load {
+            Curve::Table { knots, .. } => {
+                knots.iter_mut().for_each(|[_, height]| *height = Given::exact(height.value + lift));
+            }
+            Curve::Harmonics { constant, .. } => *constant = Given::exact(constant.value + lift),
+        }
+    }
+}
+
+/// The mean height of a curve.
+fn mean(curve: &Curve) -> f64 {
+    match curve {
+        Curve::Harmonics { constant, .. } => constant.value,
+        Curve::Table { knots, period } => {
+            let knot = |[at, height]: &[Given; 2]| (at.value, height.value);
+            let again = knots.first().map(knot).map(|(at, height)| (at + period.value, height));
+            let all: Vec<(f64, f64)> = knots.iter().map(knot).chain(again).collect();
+            let area: f64 =
+                all.windows(2).map(|two| (two[1].0 - two[0].0) * (two[0].1 + two[1].1) / 2.0).sum();
+            area / period.value
+        }
+    }
 }
 
 impl DrawnByHand {

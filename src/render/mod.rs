@@ -115,6 +115,13 @@ impl Format {
 }
 
 impl Lettering {
+    /// The kind for a sheet that any program may open: many know no embedded typefaces, and set each run of a formula in
+    /// another, wider one. Outlines where this build has them.
+    #[must_use]
+    pub const fn portable() -> Self {
+        if cfg!(feature = "png") { Self::Outline } else { Self::Embed }
+    }
+
     /// All kinds.
     pub const ALL: [Self; 3] = [Self::Live, Self::Outline, Self::Embed];
 

@@ -44,16 +44,21 @@ pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> S
     prompt_words(words, asked, part).replace("{symbol}", &symbol).replace("{axis}", part.name())
 }
 
-/// The same with its places for symbol and axis open.
-pub(super) fn prompt_words(words: &'static Words, asked: &Asked, part: Part) -> &'static str {
-    let turns = matches!(
-        asked.quantity,
+/// Whether the sign of a number is a sense of turning.
+pub(super) fn turns(quantity: Quantity) -> bool {
+    matches!(
+        quantity,
         Quantity::Omega(_)
             | Quantity::RelativeOmega(..)
             | Quantity::Alpha(_)
             | Quantity::RelativeAlpha(..)
             | Quantity::Angle(_)
-    ) || matches!(asked.quantity, Quantity::Force(force, _) if force.turns());
+    ) || matches!(quantity, Quantity::Force(force, _) if force.turns())
+}
+
+/// The same with its places for symbol and axis open.
+pub(super) fn prompt_words(words: &'static Words, asked: &Asked, part: Part) -> &'static str {
+    let turns = turns(asked.quantity);
     match part {
         Part::Value if turns => words.answer_rotation,
         Part::Value => "{symbol}",

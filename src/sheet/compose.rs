@@ -20,7 +20,7 @@ use super::{auxiliary, given, growth, human, positions, results, skeleton, trans
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::{DiagramKind, Order};
+use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 
@@ -188,7 +188,72 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 /// finds but the position in which the skeleton is drawn.
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
-    question_on(paper(scene), scene, construction, language)
+    question_on(paper(scene), scene, construction, language, &[])
+}
+
+/// What an answer of an examination is worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Marked {
+    /// What is asked.
+    pub quantity: Quantity,
+    /// Its marks.
+    pub marks: f64,
+    /// So much of it is for the direction of a vector.
+    pub direction: Option<f64>,
+}
+
+/// The question of an examination: it says besides how directions and senses are counted, and what each answer is worth.
+#[must_use]
+pub fn question_of_exam(
+    scene: &Scene,
+    construction: &Construction,
+    language: Language,
+    marked: &[Marked],
+) -> Figure {
+    question_on(paper(scene), scene, construction, language, marked)
+}
+
+/// What a question of an examination says of its answers.
+fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
+    let words = notation.words;
+    if marked.is_empty() {
+        return Vec::new();
+    }
+    let mut items = vec![Item::Head(Rich::bold(words.answers_head))];
+    let mut say = |text: Rich| items.push(Item::Sentence(text));
+    if marked.iter().any(|marked| marked.direction.is_some()) {
+        say(Rich::upright(words.count_directions));
+    }
+    let turns = |marked: &Marked| super::answers::turns(marked.quantity);
+    if marked.iter().any(turns) {
+        say(Rich::upright(words.count_rotations));
+    }
+    let number = |marks: f64| Rich::upright(short_number(marks));
+    let one = |marked: &Marked| {
+        let symbol = notation.symbol(marked.quantity, false);
+        match marked.direction {
+            None => symbol.up("\u{a0}").then(&number(marked.marks)),
+            Some(direction) => Rich::fill(
+                words.marks_of_vector,
+                &[
+                    ("symbol", symbol),
+                    ("marks", number(marked.marks)),
+                    ("size", number(marked.marks - direction)),
+                    ("direction", number(direction)),
+                ],
+            ),
+        }
+    };
+    let list = Rich::join(&marked.iter().map(one).collect::<Vec<_>>(), &Rich::upright(words.comma));
+    let total = number(marked.iter().map(|marked| marked.marks).sum());
+    say(Rich::fill(words.marks, &[("list", list), ("total", total)]));
+    items
+}
+
+/// Marks as people write them.
+fn short_number(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// The same as a card, for a screen: one page as high as it needs, without a page number.
@@ -197,7 +262,7 @@ pub fn question_card(scene: &Scene, construction: &Construction, language: Langu
     /// Higher than any question: then it has one page.
     const HIGH: f64 = 20.0;
     let (width, height) = paper(scene);
-    let mut figure = question_on((width, HIGH * height), scene, construction, language);
+    let mut figure = question_on((width, HIGH * height), scene, construction, language, &[]);
     for page in &mut figure.root.children {
         if let Node::Group(page) = page {
             page.children.retain(|node| !matches!(node, Node::Text(text) if text.class == "page-number"));
@@ -214,6 +279,7 @@ fn question_on(
     scene: &Scene,
     construction: &Construction,
     language: Language,
+    marked: &[Marked],
 ) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
@@ -232,6 +298,7 @@ fn question_on(
     let mut items = vec![Item::Head(Rich::bold(words.required))];
     items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
     items.extend(positions::asked(&notation).into_iter().map(Item::Sentence));
+    items.extend(of_answers(&notation, marked));
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();

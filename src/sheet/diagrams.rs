@@ -170,7 +170,8 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
 fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
     let words = notation.words;
     let unit = input_unit(notation, sweep);
-    let [from, to] = sweep.range;
+    // In the order of the motion: an angle that turns clockwise grows smaller.
+    let [from, to] = sweep.passed();
     let parts = [
         ("symbol", input_symbol(notation, sweep)),
         ("from", human::stated_quantity(from, &unit)),
@@ -178,8 +179,11 @@ fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
     ];
     let mut text = Rich::fill(words.sweep_range, &parts);
     if sweep.rate != 0.0 && sweep.input != InputKind::Time {
-        let time = human::quantity((to - from) / sweep.rate.abs(), &notation.scene.units.time);
+        let time = human::quantity((to - from) / sweep.rate, &notation.scene.units.time);
         text = text.up(words.comma).then(&Rich::fill(words.sweep_duration, &[("time", time)]));
+    }
+    if sweep.is_backwards() {
+        text = text.up(words.comma).up(words.sweep_backwards);
     }
     let ends = [("first", 0), ("last", NUMBERED - 1)].map(|(name, n)| (name, Rich::upright(n.to_string())));
     text.up(words.semicolon).then(&Rich::fill(words.sweep_numbers, &ends))

@@ -60,7 +60,8 @@ mod words;
 pub use answers::{Part, prompt};
 pub use booklet::{answer_form, booklet};
 pub use compose::{
-    figure_names, film, lettered, paper, question, question_card, single, single_after, single_of_question,
+    Marked, figure_names, film, lettered, paper, question, question_card, question_of_exam, single,
+    single_after, single_of_question,
     solution, stack, step_by_step,
 };
 pub use controlling::controlling_force;

@@ -18,12 +18,16 @@ use crate::scene::Scene;
 const SAME: f64 = 0.5;
 /// Radius of the circle about a fault, mm.
 const CIRCLE: f64 = 4.5;
-/// Blank between two polygons, and between a polygon and its caption, mm.
+/// Blank between two polygons one below the other, and between a polygon and its caption, mm.
 const BLANK: f64 = 8.0;
+/// Blank between two polygons side by side, mm.
+const BETWEEN: f64 = 14.0;
+/// Room of a page for them, mm.
+const PAGE: (f64, f64) = (180.0, 150.0);
 /// From one line of a caption to the next, mm.
 const LINE: f64 = 4.6;
 /// Captions are not set narrower than this, mm.
-const NARROWEST: f64 = 120.0;
+const NARROWEST: f64 = 80.0;
 /// How far a letter stands from what it names, mm.
 const OFF: [f64; 3] = [2.4, 3.6, 5.2];
 
@@ -65,8 +69,7 @@ pub fn overlay(
     let words = Language::English.words();
     let notation = Notation::new(scene, words);
     let right = told_apart(right, &notation);
-    let mut root = Group::new("overlay");
-    let mut y = 0.0;
+    let mut blocks: Vec<(Group, f64, f64)> = Vec::new();
     for polygon in &right.diagrams {
         let own = student.diagram(polygon.kind);
         let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
@@ -90,25 +93,51 @@ pub fn overlay(
             }
         }
         let ink = panel.bounds().unwrap_or(Rect::ZERO);
-        panel.translate(Vec2::new(-ink.x0, y - ink.y0));
-        root.group(panel);
-        y += ink.height() + BLANK;
+        panel.translate(Vec2::new(-ink.x0, -ink.y0));
+        let mut block = Group::new("block");
+        block.group(panel);
+        let (width, mut y) = (ink.width(), ink.height() + BLANK);
+        let mut widest = width;
         for (number, fault) in here {
             let text =
                 if faults.len() > 1 { format!("{number}. {}", fault.text) } else { fault.text.to_owned() };
-            for line in Rich::upright(text).wrap(SMALL, ink.width().max(NARROWEST)) {
-                line.set(SMALL).put(&mut root, Point::new(0.0, y), "caption");
+            for line in Rich::upright(text).wrap(SMALL, width.max(NARROWEST)) {
+                widest = widest.max(line.width(SMALL));
+                line.set(SMALL).put(&mut block, Point::new(0.0, y), "caption");
                 y += LINE;
             }
             y += BLANK - LINE;
         }
+        blocks.push((block, widest, y));
     }
+    let (mut root, y) = arranged(blocks);
     if y > 0.0 {
         legend(&mut root, y, !faults.is_empty());
     }
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
     let texts: Vec<&str> = faults.iter().map(|fault| fault.text).collect();
     (y > 0.0).then(|| localised(cut(root, format!("{title}: overlay"), texts.join("; "), words), scene))
+}
+
+/// Blocks side by side or one below the other, whichever fills a page better, and how high they are together.
+fn arranged(blocks: Vec<(Group, f64, f64)>) -> (Group, f64) {
+    let sum = |of: fn(&(Group, f64, f64)) -> f64| blocks.iter().map(of).sum::<f64>();
+    let most = |of: fn(&(Group, f64, f64)) -> f64| blocks.iter().map(of).fold(0.0, f64::max);
+    let gaps = BETWEEN * blocks.len().saturating_sub(1) as f64;
+    let fits = |width: f64, height: f64| (PAGE.0 / width).min(PAGE.1 / height);
+    let beside = fits(sum(|block| block.1) + gaps, most(|block| block.2))
+        > fits(most(|block| block.1), sum(|block| block.2));
+    let height = if beside { most(|block| block.2) } else { sum(|block| block.2) };
+    let mut root = Group::new("overlay");
+    let mut at = Vec2::ZERO;
+    for (mut block, width, own) in blocks {
+        // Those side by side stand on one line.
+        let down = if beside { height - own } else { 0.0 };
+        block.translate(at + Vec2::new(0.0, down));
+        root.group(block);
+        at += if beside { Vec2::new(width + BETWEEN, 0.0) } else { Vec2::new(0.0, own) };
+    }
+    (root, height)
 }
 
 /// The student's vectors where they differ: tail, head, name of the head, whether it is one of those that are drawn thick.

@@ -426,6 +426,7 @@ pub struct Words {
     pub sweep_description: &'static str,
     pub sweep_unconfirmed: &'static str,
     pub sweep_range: &'static str,
+    pub sweep_backwards: &'static str,
     pub sweep_duration: &'static str,
     pub sweep_numbers: &'static str,
     pub in_unit: &'static str,
@@ -444,6 +445,12 @@ pub struct Words {
     // The sheet on which answers are written.
     pub form_name: &'static str,
     pub form_variant: &'static str,
+    // What a question of an examination says of its answers.
+    pub answers_head: &'static str,
+    pub count_directions: &'static str,
+    pub count_rotations: &'static str,
+    pub marks: &'static str,
+    pub marks_of_vector: &'static str,
 }
 
 const ENGLISH: Words = Words {
@@ -794,6 +801,7 @@ const ENGLISH: Words = Words {
     sweep_description: "Quantities over the input, paths, hodographs and polar diagrams",
     sweep_unconfirmed: "Not confirmed by the independent solver: {why}.",
     sweep_range: "{symbol} from {from} to {to}",
+    sweep_backwards: "read from right to left",
     sweep_duration: "in {time} at the given rate",
     sweep_numbers: "the numbers {first} to {last} mark equal steps",
     in_unit: "{symbol} in {unit}",
@@ -809,6 +817,11 @@ const ENGLISH: Words = Words {
     unnamed: "At this size there is no room for the names of {what}.",
     form_name: "Name",
     form_variant: "Variant",
+    answers_head: "Answers:",
+    count_directions: "to three figures; directions in degrees, counter-clockwise from the x-axis",
+    count_rotations: "rotations and torques counter-clockwise positive",
+    marks: "marks: {list}; {total} in all",
+    marks_of_vector: "{symbol} {marks} ({size} for the magnitude, {direction} for the direction)",
 };
 
 /// The usage of the Syrian textbooks.
@@ -1160,6 +1173,7 @@ const ARABIC: Words = Words {
     sweep_description: "المقادير بدلالة الدخل، والمسارات، والهودوغرافات، والمخططات القطبية",
     sweep_unconfirmed: "غير مؤكد بالحل المستقل: {why}.",
     sweep_range: "{symbol} من {from} إلى {to}",
+    sweep_backwards: "ويُقرأ من اليمين إلى اليسار",
     sweep_duration: "خلال {time} بالمعدل المعطى",
     sweep_numbers: "الأرقام من {first} إلى {last} تعلّم خطوات متساوية",
     in_unit: "{symbol} بوحدة {unit}",
@@ -1175,6 +1189,11 @@ const ARABIC: Words = Words {
     unnamed: "لا يتسع الرسم بهذا المقاس لأسماء {what}.",
     form_name: "الاسم",
     form_variant: "رقم النموذج",
+    answers_head: "الإجابات:",
+    count_directions: "بثلاثة أرقام معنوية، والمناحي بالدرجات بعكس عقارب الساعة من المحور x",
+    count_rotations: "الدوران والعزم موجبان بعكس عقارب الساعة",
+    marks: "العلامات: {list}، والمجموع {total}",
+    marks_of_vector: "{symbol} {marks} (القيمة {size} والمنحى {direction})",
 };
 
 /// The usage of the Egyptian textbooks, where it differs.
@@ -1191,6 +1210,10 @@ const ARABIC_AJALA: Words = Words {
     asked_assembly: "التجميع الآخر للآلية",
     answer_rotation: "{symbol}، موجبة عكس عقارب الساعة",
     answer_direction: "اتجاه {symbol}، عكس عقارب الساعة من المحور x",
+    count_directions: "بثلاثة أرقام معنوية، والاتجاهات بالدرجات عكس عقارب الساعة من المحور x",
+    count_rotations: "الدوران والعزم موجبان عكس عقارب الساعة",
+    marks: "الدرجات: {list}، والمجموع {total}",
+    marks_of_vector: "{symbol} {marks} (القيمة {size} والاتجاه {direction})",
     direction: "الاتجاه",
     cw: "في اتجاه عقارب الساعة",
     ccw: "عكس عقارب الساعة",
@@ -1570,6 +1593,7 @@ const PERSIAN: Words = Words {
     sweep_description: "کمیت‌ها برحسب ورودی، مسیرها، هودوگراف‌ها و نمودارهای قطبی",
     sweep_unconfirmed: "با حل مستقل تأیید نشده است: {why}.",
     sweep_range: "{symbol} از {from} تا {to}",
+    sweep_backwards: "از راست به چپ خوانده شود",
     sweep_duration: "در {time} با آهنگ داده‌شده",
     sweep_numbers: "شماره‌های {first} تا {last} گام‌های برابر را نشان می‌دهند",
     in_unit: "{symbol} بر حسب {unit}",
@@ -1585,4 +1609,9 @@ const PERSIAN: Words = Words {
     unnamed: "در این اندازه برای نام {what} جا نیست.",
     form_name: "نام",
     form_variant: "شمارهٔ برگه",
+    answers_head: "پاسخ‌ها:",
+    count_directions: "با سه رقم معنادار؛ راستاها به درجه و پادساعتگرد از محور x",
+    count_rotations: "چرخش‌ها و گشتاورها پادساعتگرد مثبت‌اند",
+    marks: "نمره‌ها: {list}؛ در مجموع {total}",
+    marks_of_vector: "{symbol} {marks} (مقدار {size}، راستا {direction})",
 };

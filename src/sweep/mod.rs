@@ -237,6 +237,19 @@ const MOST_HALVINGS: u32 = 24;
 pub const MOST_PLACES: usize = 20_000;
 
 impl Sweep {
+    /// Whether the input moves toward smaller values, as the angle of a link that turns clockwise.
+    #[must_use]
+    pub fn is_backwards(&self) -> bool {
+        self.rate < 0.0 && self.input != InputKind::Time
+    }
+
+    /// The ends of the range in the order in which the motion passes them.
+    #[must_use]
+    pub fn passed(&self) -> [f64; 2] {
+        let [from, to] = self.range;
+        if self.is_backwards() { [to, from] } else { [from, to] }
+    }
+
     /// Transcribes the drawing of a mechanism and walks the range of its first input: `range` in SI units,
     /// else a whole turn, or for a slide as far as it goes.
     ///
