@@ -215,7 +215,9 @@ impl Ground {
             let allowed = least.map_or(cap, |least| cap.max(least));
             // A part of nothing is no measure: that something is zero can be read.
             let measured = cap > NOTHING * honest;
-            Room { by: told(free.min(allowed), unit), free, honest, loose: measured && honest > cap }
+            // What is read has its room, a cap is not passed.
+            let by = if free < allowed { told_up(free, unit) } else { told(allowed, unit) };
+            Room { by, free, honest, loose: measured && honest > cap }
         };
         let spread = |part: fn(&Slip) -> f64, reading: f64, least: f64| {
             [SAFETY * part(&slips.worst) + reading, part(&slips.most)].map(|slip| slip.max(least))
@@ -230,7 +232,8 @@ impl Ground {
         } else if linear {
             let least = Some(FINEST * reading);
             let size = room(spread(|s| s.size, reading, figures), most * amount, least, unit);
-            let mut direction = room(spread(|s| s.turn, 0.0, HALF_DEGREE), turned, None, DEGREE);
+            let askew = if amount > reading { reading / amount } else { 0.0 };
+            let mut direction = room(spread(|s| s.turn, askew, HALF_DEGREE), turned, None, DEGREE);
             // What may be nothing points nowhere.
             if amount <= size.by {
                 direction.by = std::f64::consts::PI;
@@ -320,14 +323,23 @@ fn size(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |sum, n| libm::hypot(sum, *n))
 }
 
-/// A tolerance as it is told, in two figures of a unit: what is printed is what is meant.
+/// A tolerance as it is told, in two figures of a unit, never more than it is: what is printed is what is meant.
 fn told(by: f64, unit: f64) -> f64 {
+    in_figures(by, unit, |figures| libm::floor(figures + LITTLE))
+}
+
+/// The same, never less than it is.
+fn told_up(by: f64, unit: f64) -> f64 {
+    in_figures(by, unit, |figures| libm::ceil(figures - LITTLE))
+}
+
+fn in_figures(by: f64, unit: f64, rounded: fn(f64) -> f64) -> f64 {
     let own = by / unit;
     if own <= 0.0 || !own.is_finite() {
         return f64::max(by, f64::MIN_POSITIVE);
     }
     let place = libm::pow(10.0, libm::floor(libm::log10(own)) - 1.0);
-    (libm::floor(own / place + LITTLE) * place * unit).max(f64::MIN_POSITIVE)
+    (rounded(own / place) * place * unit).max(f64::MIN_POSITIVE)
 }
 
 /// So that 2.3 is 2.3 and not a little less.
@@ -388,14 +400,17 @@ fn largest_torque(construction: &Construction) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::told;
+    use super::{told, told_up};
 
     #[test]
-    fn a_tolerance_is_told_in_two_figures_and_never_grows() {
+    fn a_tolerance_is_told_in_two_figures() {
         for (by, unit, expected) in
             [(0.023_4, 1.0, 0.023), (2.3, 1.0, 2.3), (0.0998, 0.01, 0.099), (96.0, 10.0, 96.0)]
         {
             assert!((told(by, unit) - expected).abs() < 1e-12, "{by} in {unit}: {}", told(by, unit));
+        }
+        for (by, expected) in [(0.023_4, 0.024), (2.3, 2.3), (9.91, 10.0)] {
+            assert!((told_up(by, 1.0) - expected).abs() < 1e-12, "{by}: {}", told_up(by, 1.0));
         }
     }
 }

@@ -320,6 +320,24 @@ fn a_scale_that_was_applied_twice_is_named() {
     }
 }
 
+/// 2·ω₄·V by the numbers of the sheet (2.13 rad/s, 43.2 mm/s: 184 mm/s²), written down without its 2; the rest is right.
+#[test]
+fn a_number_that_was_only_written_down_wrongly_has_its_name() {
+    let scene = example("exam/quick-return.json");
+    let right = tolerances(&scene, &GradeSettings::default()).unwrap();
+    let of = |name: &str| right.iter().find(|graded| graded.name == name).unwrap().right.clone();
+    let (coriolis, slider) = (of("coriolis(A/4)"), of("a(C)"));
+    let components = |v: &[f64], factor: f64| json!({ "components": [factor * v[0], factor * v[1]] });
+    let answers = json!({ "values": { "coriolis(A/4)": components(&coriolis, 0.5), "a(C)": components(&slider, 1.0) } });
+    let report = graded(&scene, &answers);
+    assert_eq!(first_kind(&report), Some(Kind::CoriolisWithoutTwo), "{}", report.to_text());
+    assert_eq!(of_report(&report, "a(C)"), Verdict::Right, "{}", report.to_text());
+}
+
+fn of_report(report: &Report, name: &str) -> Verdict {
+    of(report, name).verdict
+}
+
 #[test]
 fn a_student_reads_the_names_of_his_textbook() {
     let [v, ..] = closed();

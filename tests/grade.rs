@@ -214,7 +214,7 @@ fn the_overlay_circles_the_first_fault() {
         }
     });
     assert!(dashed > 0 && circles == 1);
-    assert!(figure.description.contains("an(A) points away from its centre"), "{}", figure.description);
+    assert!(figure.description.contains("Aⁿ_A points away from its centre"), "{}", figure.description);
 }
 
 #[test]

@@ -238,7 +238,7 @@ fn of_two_mistakes_both_are_told() {
     let wrong = report.quantities.iter_mut().find(|graded| graded.verdict == Verdict::Wrong).unwrap();
     wrong.mistakes = vec![both];
     let text = report.to_text();
-    assert!(text.contains("Probably two mistakes at once: an(A) was left out (step 8"), "{text}");
+    assert!(text.contains("Probably two mistakes at once: Aⁿ_A was left out (step 8"), "{text}");
     assert_eq!(report.to_json()["first_fault"]["mistakes"][0]["also"]["kind"], "alpha-sign");
     let class = [HandIn { file: "a".to_owned(), outcome: Ok(report) }];
     assert_eq!(class_faults(&class).len(), 2);

@@ -524,6 +524,7 @@ fn quantity_json(graded: &Graded, symbols: &Symbols) -> Value {
         "right": one(&graded.right),
         "tolerance": graded.tolerance,
         "tolerance_because": graded.because(),
+        "measurable": !matches!(graded.allowed, Allowed::Capped { .. }),
         "marks": { "reached": graded.reached(), "of": graded.weight },
         "asked": graded.asked,
         "verdict": graded.verdict.name(),

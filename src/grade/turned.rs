@@ -168,7 +168,7 @@ fn fit(pairs: &[Pair]) -> Option<Fitted> {
         }
     };
     let count = |turn: f64| pairs.iter().filter(near(turn)).count();
-    let candidates = pairs.iter().map(|pair| between(pair));
+    let candidates = pairs.iter().map(between);
     let best = candidates.max_by(|a, b| count(*a).cmp(&count(*b)).then(b.abs().total_cmp(&a.abs())))?;
     let agreeing: Vec<&Pair> = pairs.iter().filter(near(best)).collect();
     if agreeing.len() < 2 || 2 * agreeing.len() < pairs.len() || one_line(&agreeing) {

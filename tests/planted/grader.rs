@@ -39,6 +39,8 @@ impl Drop for Folder {
 pub(crate) struct Judgement {
     /// Every judged quantity with its verdict.
     pub(crate) verdicts: Vec<(String, String)>,
+    /// Those of them that the program itself says no careful hand can measure: nobody should be asked for them.
+    pub(crate) unmeasurable: BTreeSet<String>,
     /// Quantity at which the first fault stands, and the mistakes by which it is explained, best first.
     pub(crate) fault: Option<(String, Vec<String>)>,
     /// Kinds of the mistakes that are given for any wrong answer.
@@ -50,6 +52,8 @@ impl Judgement {
         let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
         let quantities = report["quantities"].as_array().unwrap();
         let verdicts = quantities.iter().map(|q| (text(&q["name"]), text(&q["verdict"]))).collect();
+        let loose = quantities.iter().filter(|q| q["measurable"] == Value::Bool(false));
+        let unmeasurable = loose.map(|q| text(&q["name"])).collect();
         let fault = report.get("first_fault").filter(|f| !f.is_null()).map(|fault| {
             let mistakes = fault["mistakes"]
                 .as_array()
@@ -58,7 +62,7 @@ impl Judgement {
         });
         let given = quantities.iter().filter_map(|q| q["mistakes"].as_array()).flatten();
         let named = given.map(|m| text(&m["kind"])).collect();
-        Self { verdicts, fault, named }
+        Self { verdicts, unmeasurable, fault, named }
     }
 
     /// The diagnosis that is ranked first.

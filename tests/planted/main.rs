@@ -87,6 +87,9 @@ struct Tally {
     /// Answers without a mistake, and those of them that were called wrong.
     quantities: usize,
     alarms: usize,
+    /// Answers without a mistake that no careful hand can measure, and those of them that were called wrong.
+    unmeasurable: usize,
+    beyond: usize,
     /// Sheets without a mistake, and those of them on which some answer was called wrong.
     sheets: usize,
     refused: usize,
@@ -107,8 +110,12 @@ impl Tally {
         let judgement = grade(&case, folder);
         let Some(kind) = kind else {
             self.quantities += judgement.verdicts.len();
-            let alarms: Vec<&str> =
-                judgement.verdicts.iter().filter(|(_, v)| v == "wrong").map(|(n, _)| n.as_str()).collect();
+            // What no careful hand can measure nobody should be asked; it is counted for itself.
+            let wrong = judgement.verdicts.iter().filter(|(_, v)| v == "wrong").map(|(n, _)| n.as_str());
+            let (beyond, alarms): (Vec<&str>, Vec<&str>) =
+                wrong.partition(|name| judgement.unmeasurable.contains(*name));
+            self.unmeasurable += judgement.unmeasurable.len();
+            self.beyond += beyond.len();
             self.alarms += alarms.len();
             self.sheets += 1;
             self.refused += usize::from(!alarms.is_empty());
@@ -170,6 +177,8 @@ impl Tally {
         self.alarms += other.alarms;
         self.sheets += other.sheets;
         self.refused += other.refused;
+        self.unmeasurable += other.unmeasurable;
+        self.beyond += other.beyond;
         self.unharmed += other.unharmed;
         self.accused += other.accused;
         self.wrong += other.wrong;
@@ -216,6 +225,10 @@ impl Tally {
         println!("unforeseen, and left open: {} of {}", self.left_open, self.odd);
         println!("false alarms: {} of {} quantities", self.alarms, self.quantities);
         println!("right sheets accepted in full: {} of {}", self.sheets - self.refused, self.sheets);
+        println!(
+            "of {} answers that no careful hand can measure {} called wrong",
+            self.unmeasurable, self.beyond
+        );
         println!(
             "called wrong beside a mistake that does not touch them: {} of {}",
             self.accused, self.unharmed
