@@ -61,8 +61,7 @@ pub use answers::{Part, prompt};
 pub use booklet::{answer_form, booklet};
 pub use compose::{
     Marked, figure_names, film, lettered, paper, question, question_card, question_of_exam, single,
-    single_after, single_of_question,
-    solution, stack, step_by_step,
+    single_after, single_of_question, solution, stack, step_by_step,
 };
 pub use controlling::controlling_force;
 pub use figure::Figure;
