@@ -95,6 +95,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let work = Work {
         scene: &scene,
         terms,
+        loose_is_stated: job.loose.is_some(),
         workers,
         format,
         options,
@@ -321,6 +322,8 @@ fn bar(length: usize, template: &str) -> ProgressBar {
 struct Work<'a> {
     scene: &'a Scene,
     terms: Terms,
+    /// Whether it was said what becomes of answers that a careful hand may miss.
+    loose_is_stated: bool,
     workers: usize,
     format: Format,
     options: Options,
@@ -335,8 +338,10 @@ impl Work<'_> {
     fn variants(&self, known: Option<&[u64]>) -> Result<(Vec<Variant>, String), Failure> {
         let bar = bar(self.terms.variants, "{bar:40} {pos}/{len} variants drawn, {eta} left");
         let refused = |error: &ExamError| refused(self.scene, error);
+        let all_the_same = Terms { loose: Loose::Ask, ..self.terms };
         let variants = if let Some(attempts) = known {
-            let again = exam::redraw(self.scene, &self.terms, attempts, self.workers, &|| bar.inc(1));
+            // What the first run took it took knowingly.
+            let again = exam::redraw(self.scene, &all_the_same, attempts, self.workers, &|| bar.inc(1));
             again.map_err(|error| refused(&error))?.map(|variants| (variants, String::new())).ok_or_else(
                 || {
                     let path = self.folder.manifest();
@@ -348,14 +353,21 @@ impl Work<'_> {
             )
         } else {
             let set = |found: usize| bar.set_position(found as u64);
-            let drawn =
-                exam::draw(self.scene, &self.terms, self.workers, &set).map_err(|error| refused(&error))?;
+            let draw = |terms: &Terms| exam::draw(self.scene, terms, self.workers, &set);
+            let (drawn, asked) = match draw(&self.terms) {
+                Err(ExamError::Exhausted { tally, .. }) if !self.loose_is_stated && tally.has_loose() => {
+                    let why = "too few variants have only answers that a careful hand can measure; asked all the same:\n";
+                    (draw(&all_the_same), why)
+                }
+                drawn => (drawn, ""),
+            };
+            let drawn = drawn.map_err(|error| refused(&error))?;
             let passed = if drawn.tally.flaws.is_empty() {
                 String::new()
             } else {
                 format!("{} tries: {}\n", drawn.tries, drawn.tally)
             };
-            Ok((drawn.variants, passed))
+            Ok((drawn.variants, format!("{passed}{asked}")))
         };
         bar.finish_and_clear();
         variants
@@ -531,7 +543,7 @@ fn refused(scene: &Scene, error: &ExamError) -> Failure {
         }
         ExamError::Less(diagnostic) => (**diagnostic).clone().into(),
         ExamError::TooFew { .. } => at_vary("widen the ranges, take finer steps, or vary more numbers"),
-        ExamError::Exhausted { tally, .. } if tally.is_mostly_loose() => at_vary(
+        ExamError::Exhausted { tally, .. } if tally.has_loose() => at_vary(
             "do not ask it: --loose leave-out; ask it all the same: --loose ask; or draw larger, or allow more: \
              --max-tolerance",
         ),

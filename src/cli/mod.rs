@@ -289,7 +289,8 @@ enum Command {
         #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
         max_tolerance: f64,
         /// What becomes of answers that a careful hand may miss by more: pass-over (such variants), leave-out (what is
-        /// so in the scene itself is not asked) or ask (the key says which); pass-over where nothing is said
+        /// so in the scene itself is not asked) or ask (the key says which); where nothing is said pass-over, and ask where that
+        /// leaves too few variants
         #[arg(long, value_name = "WHAT")]
         loose: Option<String>,
         /// The seed: the same seed gives the same variants

@@ -269,13 +269,14 @@ impl Choices<'_> {
         };
         let mut ways: Vec<(Chosen, f64)> = vec![(Vec::new(), 0.0)];
         for (i, least) in self.least().into_iter().enumerate() {
-            // Where it is not known what follows no diagram is larger than its names and points need; and figures of centres
-            // and of velocities carried over reach further than the skeleton under them.
+            // Where it is not known what follows no diagram is larger than its names and points need. Figures of centres and of
+            // velocities carried over reach further than the skeleton under them, and have more on them: it keeps its scale.
             let lacks = |scale: Option<f64>| self.nameless(i, scale) + self.crowding(i, scale);
             let far = i == 0 && self.others.circle.is_some();
             let may = |scale: &Option<f64>| {
                 let larger = scale.zip(least).is_some_and(|(own, least)| own < least);
-                !larger || (!far && (!self.others.more || lacks(*scale) < lacks(least)))
+                let suits = || !larger || !self.others.more || lacks(*scale) < lacks(least);
+                if far { *scale == least } else { suits() }
             };
             let own = self.around(i, least).into_iter().filter(may);
             let own: Vec<(Option<f64>, f64)> = own.map(|scale| (scale, worth_of(i, scale))).collect();
