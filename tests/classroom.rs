@@ -482,3 +482,24 @@ fn a_clockwise_crank_is_swept_as_it_turns() {
     assert_eq!(folder.program(&["sweep", "cw.json", "-o", "cw.svg"]).0, Some(0));
     assert!(folder.read("cw.svg").contains("read from right to left"));
 }
+
+/// A problem in which no variant can be measured closely enough makes no exam only where that was asked for.
+#[test]
+fn an_exam_of_what_is_hard_to_measure_is_flagged_and_given() {
+    let folder = Folder::new("loose");
+    let scene = example("exam/crank-and-slider.json").source.text().to_owned();
+    std::fs::write(folder.0.join("scene.json"), scene).unwrap();
+    let exam = |more: &[&str]| {
+        let asked = ["exam", "scene.json", "--variants", "2", "--max-tolerance", "0.05%"];
+        folder.program(&[&asked[..], more].concat())
+    };
+    let (code, _, err) = exam(&["--loose", "pass-over", "-o", "strict"]);
+    assert_eq!(code, Some(2), "{err}");
+    assert!(err.contains("--loose ask") && !folder.0.join("strict").exists(), "{err}");
+    let (code, out, err) = exam(&["-o", "given"]);
+    assert_eq!(code, Some(0), "{err}");
+    assert!(out.contains("asked all the same") && out.contains("flagged: "), "{out}");
+    assert!(folder.read("given/key.csv").contains(",no: ± "));
+    let again = exam(&["-o", "given"]);
+    assert_eq!(again.0, Some(0), "{}", again.2);
+}
