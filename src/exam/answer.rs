@@ -280,9 +280,9 @@ mod tests {
     #[test]
     fn numbers_are_printed_finer_than_their_tolerance() {
         let one = answer(Part::Value, 175.309_524_5, 2.34);
-        assert_eq!((one.printed().as_str(), one.printed_tolerance().as_str()), ("175.3", "2.3"));
+        assert_eq!((one.printed().as_str(), one.printed_tolerance().as_str()), ("175.31", "2.3"));
         let one = answer(Part::Value, -0.001_234_56, 0.000_012);
-        assert_eq!((one.printed().as_str(), one.printed_tolerance().as_str()), ("-0.001235", "0.000012"));
+        assert_eq!((one.printed().as_str(), one.printed_tolerance().as_str()), ("-0.0012346", "0.000012"));
         assert_eq!(answer(Part::Value, 1_234_567.0, 5000.0).printed(), "1234567");
     }
 
