@@ -151,6 +151,7 @@ pub mod grade;
 pub mod graphical;
 pub mod limits;
 pub mod live;
+mod lots;
 mod markup;
 pub mod mechanism;
 mod parallel;

@@ -56,9 +56,6 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
     scene.source.complain(subject, what, Some(mend))
 }
 
-/// A rough place from which a point stands so far, in sizes of the skeleton, does not hold.
-const FAR_FROM_HINT: f64 = 1.0 / 3.0;
-
 /// The rough places of `near` that do not hold, though they have chosen what they could: a rod does not reach to the other
 /// side of its block.
 #[must_use]
@@ -79,7 +76,7 @@ pub fn unheld_hints(scene: &Scene, construction: &Construction) -> Vec<Diagnosti
         let point = mechanism.point(PointId(index));
         let (Some(at), Place::Near(hint)) = (at, point.place) else { continue };
         let away = libm::hypot(at[0] - hint[0], at[1] - hint[1]);
-        if away > FAR_FROM_HINT * size {
+        if away > crate::graphical::FAR_FROM_HINT * size {
             let [px, py] = at.map(|x| short(x / unit.si));
             let name = &point.name;
             told.push(scene.source.complain(

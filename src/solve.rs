@@ -391,7 +391,7 @@ pub fn by_hand(
     }
     // Whoever looks for a torque at many angles looks at fewer diagrams.
     let turns = scene.mechanism.forces.cycle.as_ref().is_some_and(|cycle| cycle.of().is_some());
-    let number = if turns { draughtsmen.number.min(MOST_TURNS) } else { draughtsmen.number };
+    let number = draughtsmen.number.min(if turns { MOST_TURNS } else { MOST_DIAGRAMS });
     let drawn: Vec<Vec<Option<f64>>> = (0..number)
         .map(|seed| cycle_by_one_hand(&scene.mechanism, solved.scales, (draughtsmen.hand, seed)))
         .collect();
@@ -412,6 +412,8 @@ pub fn by_hand(
     Ok(errors)
 }
 
+/// Draughtsmen of a turning-moment diagram: each takes as long as a whole sheet of motion.
+const MOST_DIAGRAMS: u64 = 96;
 /// Draughtsmen of a turning-moment diagram for which the mechanism has to be led through its period.
 const MOST_TURNS: u64 = 24;
 

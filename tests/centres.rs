@@ -378,3 +378,30 @@ fn links_that_are_driven_separately_have_a_centre_from_their_velocities() {
     let solved = solve(&still, Extent::Asked, scale::for_scene).unwrap();
     assert!(matches!(solved.solution.construction.answers[0].answer, Answer::Indeterminate(_)));
 }
+
+/// A skeleton with its centres is as large as the paper takes it with what is needed of them.
+#[test]
+fn a_sheet_of_centres_is_no_smaller_than_its_centres_make_it() {
+    for (name, least) in [("centres/gear-linkage", 12.0), ("centres/four-bar", 18.0)] {
+        let scene = common::example(name);
+        let solved = solve(&scene, Extent::WholeSkeleton, scale::for_scene).unwrap();
+        let mm = |metres: f64| metres / solved.scales.length();
+        // The crank of 40 mm, and on the sheet every centre that is asked for.
+        assert!(mm(0.040) >= least, "{name}: the crank is {} mm", mm(0.040));
+        let figure =
+            sheet::single(&scene, &solved.solution.construction, "centres", Language::English).unwrap();
+        let circle = solved.solution.construction.circle.as_ref().unwrap();
+        let mut drawn = String::new();
+        figure.root.walk(&mut |node| {
+            if let sheet::figure::Node::Text(text) = node {
+                drawn.extend(text.runs.iter().map(|run| run.text.as_str()));
+                drawn.push(' ');
+            }
+        });
+        for centre in &circle.centres {
+            let [i, j] = centre.links.map(|link| scene.mechanism.link(link).number);
+            assert!(drawn.contains(&format!("({i}{j})")), "{name}: ({i}{j}) in {drawn}");
+            assert!(!drawn.contains(&format!("({i}{j})\u{a0}")), "{name}: ({i}{j}) is off the sheet");
+        }
+    }
+}

@@ -156,12 +156,12 @@ fn a_centre_is_capped_as_everything_else() {
         "far.json",
     )
     .unwrap();
-    let strict = GradeSettings { max_tolerance: 0.03, ..GradeSettings::default() };
+    let strict = GradeSettings { max_tolerance: 0.01, ..GradeSettings::default() };
     let all = tolerances(&scene, &strict).unwrap();
     let centre = all.iter().find(|graded| graded.name == "I(1,3)").unwrap();
     let [x, y] = centre.right[..] else { panic!("{centre:?}") };
     let far = libm::hypot(x, y).min(libm::hypot(x - 100.0, y));
-    assert!(centre.tolerance <= 0.03 * far + 1e-9, "{centre:?}");
+    assert!(centre.tolerance <= 0.01 * far + 1e-9, "{centre:?}");
     assert!(matches!(centre.allowed, linkgram::grade::Allowed::Capped { .. }), "{centre:?}");
     // A pin is read to half a millimetre or so, wherever the origin is.
     let pin = all.iter().find(|graded| graded.name == "x(A)").unwrap();

@@ -22,6 +22,7 @@ mod exam;
 mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
+mod fair_examiner;
 mod force_sheets;
 mod forces;
 mod forces_classroom;
@@ -70,6 +71,7 @@ mod sweep;
 mod sweep_trials;
 mod tapes;
 mod the_drawing_is_the_computation;
+mod told;
 
 /// A file that no line names would be compiled and run by nobody.
 #[test]

@@ -124,9 +124,10 @@ async function inkOf(html, parts) {
         const { si_per_mm: scale } = live.panels[Number(panel.slice(5))];
         const [[x0, y0, xn, yn], [x1, y1]] = ends;
         const [vx, vy] = own.outputs.map((o) => outputs[o] / scale);
-        // The shaft lies in the vector.
-        const off = Math.abs((xn - x0) * (y1 - y0) - (yn - y0) * (x1 - x0)) / Math.hypot(x1 - x0, y1 - y0);
-        assert.ok(off <= 3e-6 && (xn - x0) * (x1 - x0) + (yn - y0) * (y1 - y0) > 0, `${quantity} at ${drawn[0]}: its shaft strays by ${off} mm`);
+        // The shaft lies in the vector, and ends within the head.
+        const length = Math.hypot(x1 - x0, y1 - y0), part = ((xn - x0) * (x1 - x0) + (yn - y0) * (y1 - y0)) / length ** 2;
+        const off = Math.abs((xn - x0) * (y1 - y0) - (yn - y0) * (x1 - x0)) / length;
+        assert.ok(off <= 3e-6 && part > 0 && part < 1, `${quantity} at ${drawn[0]}: its shaft strays by ${off} mm and ends at ${part} of it`);
         assert.ok(Math.hypot(x1 - x0 - vx, y0 - y1 - vy) <= 3e-6, `${quantity} at ${drawn[0]}: ${[x1 - x0, y0 - y1]} is not ${[vx, vy]}`);
         compared += 1;
       }
@@ -172,7 +173,7 @@ test('a wrong move is noticed', async () => {
   for (const [from, to] of [
     [', y = -(at[1] - origin', ', y = (at[1] - origin'],
     ['at[axis] += sign * value;', 'at[axis] -= sign * value;'],
-    ['const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);\nconst short', 'const d = { x: a.x - b.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);\nconst short'],
+    ['const d = minus(b, a), length = sizeOf(d);\nconst short', 'const d = minus(a, b), length = sizeOf(d);\nconst short'],
     ['s = (to.x.y * from.x.x - to.x.x * from.x.y) / n', 's = -(to.x.y * from.x.x - to.x.x * from.x.y) / n'],
   ]) {
     await assert.rejects(inkOf(changed(html, from, to), [0.21, 0.55]), `nobody noticed ${to}`);
@@ -273,8 +274,24 @@ test('a finger leads a joint, and a phone is wide enough', async () => {
 });
 
 test('names are calm', async () => {
-  const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json'));
-  const page = await open(six);
+  const all = [];
+  for (const scene of [path.join(root, 'examples/s000-ch3a-1.json'), sceneOf('punch-press')]) {
+    const found = await crowds(pageOf(scene));
+    for (const [id, { labels, touching, left }] of Object.entries(found)) {
+      const part = 100 * touching / labels;
+      // No more than this, and the cure is not that names are left out. The places are the same in Firefox, which tells larger
+      // boxes of the same letters: there the parts are told only.
+      assert.ok(firefox || part <= (id === 'panel0' ? 0.5 : 4), `${scene} ${id}: ${part} of 100 touch another`);
+      assert.ok(left <= (labels + left) * (id === 'panel0' ? 0.02 : 0.35), `${scene} ${id}: ${left} of ${labels + left} have no room`);
+      all.push(`${part.toFixed(1)} (${(100 * left / (labels + left)).toFixed(1)})`);
+    }
+  }
+  return `of 100 touch another (have no room): ${all.join(', ')}`;
+});
+
+/** Of each panel over the course: names, those that touch another, and those that the caption says have no room. */
+async function crowds(html) {
+  const page = await open(html);
   const found = await page.evaluate(async () => {
     const slide = document.getElementById('at'), span = Number(slide.max) - Number(slide.min);
     const sums = {};
@@ -285,7 +302,8 @@ test('names are calm', async () => {
       for (const svg of document.querySelectorAll('#stage svg')) {
         const scale = svg.getScreenCTM().a;
         const boxes = [...svg.querySelectorAll('.labels > g')].filter((g) => g.getAttribute('visibility') !== 'hidden').map((g) => g.getBoundingClientRect());
-        const sum = sums[svg.id] = sums[svg.id] || { labels: 0, touching: 0 };
+        const sum = sums[svg.id] = sums[svg.id] || { labels: 0, touching: 0, left: 0 };
+        sum.left += Number(/(\d+) names? ha(s|ve) no room/.exec(svg.parentNode.textContent)?.[1] || 0);
         boxes.forEach((a, k) => {
           sum.labels += 1;
           const room = 0.35 * scale;
@@ -296,9 +314,8 @@ test('names are calm', async () => {
     return sums;
   });
   await page.close();
-  const parts = Object.entries(found).map(([id, { labels, touching }]) => [id, 100 * touching / labels]);
-  return parts.map(([id, part]) => `${id} ${part.toFixed(1)} of 100 touch another`).join(', ');
-});
+  return found;
+}
 
 test('steps, highlighting, diagram, traces, languages', async () => {
   const page = await open(fourPage);
@@ -466,6 +483,91 @@ const given = (page, id) => page.evaluate(async (button) => {
   return blob.text();
 }, id);
 
+test('a drawing saved from a page is graded, names and all', async () => {
+  const scene = path.join(root, 'examples/s000-ch3a-1.json'), drawing = path.join(work, 'saved.svg');
+  const page = await open(pageOf(scene));
+  writeFileSync(drawing, await given(page, 'save'));
+  await page.close();
+  // Not everything that is asked is drawn: that is no fault, and the status says that marks are missing.
+  let told = '';
+  try { told = run('grade', scene, drawing); } catch (error) { told = error.stdout + error.stderr; }
+  assert.match(told, /^D \(skeleton\) .* right/m, told);
+  assert.ok((told.match(/ right /g) || []).length >= 14 && !/wrong|error/.test(told), told);
+});
+
+test('at its own position the page says what the sheet says', async () => {
+  let compared = 0;
+  for (const name of ['s000-ch3a-1', 's000-ch3b-1', 'eight-link']) {
+    const scene = path.join(root, `examples/${name}.json`);
+    const page = await open(pageOf(scene));
+    const [rows, sheet] = await page.evaluate(() => {
+      const bare = (element) => element.textContent.replace(/\s+/g, '');
+      return [[...document.querySelectorAll('#values tbody tr td:nth-child(2)')].map(bare), new Set([...document.querySelectorAll('#sheet text')].map(bare))].map((all) => [...all]);
+    });
+    // What the scene states is in no table of the sheet: a line tells it, perhaps with more figures.
+    const rounded = (value) => {
+      const [, number, unit] = /^\(?([\d.]+)(.*)$/.exec(value) || [];
+      if (Number(number) === 0) return sheet.some((text) => /=0\.?$/.test(text));
+      const figures = (number || '').replace('.', '').replace(/^0+/, '').length;
+      return figures > 0 && sheet.some((text) => text.includes(unit) && [...text.matchAll(/\d+(?:\.\d+)?/g)].some(([own]) => Number(Number(own).toPrecision(figures)) === Number(number)));
+    };
+    for (const value of rows) assert.ok(sheet.includes(value) || sheet.includes(`+${value}`) || rounded(value), `${name}: ${value} stands nowhere on the sheet`);
+    compared += rows.length;
+    await page.close();
+  }
+  return `${compared} values`;
+});
+
+test('the address moves the page, a field says how far it went, and a page loaded again is where it was', async () => {
+  const page = await open(fourPage, { hash: '#at=100' });
+  await page.evaluate(() => { location.hash = '#at=140&step=2'; });
+  await rest(120);
+  assert.equal(await placeOf(page), 140);
+  assert.equal(await page.evaluate(() => document.getElementById('step').value), '2');
+  await page.close();
+  const limited = await open(pageOf(rocker));
+  const [typed, stands] = await limited.evaluate(async () => {
+    const field = document.getElementById('exact'), slide = document.getElementById('at');
+    field.focus();
+    field.value = slide.max * 180 / Math.PI - 1;
+    field.dispatchEvent(new Event('change'));
+    await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+    return [Number(field.value), Number(slide.value) * 180 / Math.PI];
+  });
+  assert.ok(Math.abs(typed - stands) < 1e-6, `the field says ${typed} where the input is ${stands}`);
+  await rest(700);
+  await limited.evaluate(() => location.reload()).catch(() => {});
+  await rest(500);
+  assert.ok(Math.abs(await placeOf(limited) - stands) < 1e-6);
+  await limited.close();
+});
+
+test('a scene states how its page opens', async () => {
+  const scene = JSON.parse(readFileSync(four, 'utf8'));
+  scene.sheet = { ...scene.sheet, live: { play_seconds: 20, traces: ['B'], diagrams: ['omega(4)'], scale: 'refit' } };
+  const file = path.join(work, 'opens.json');
+  writeFileSync(file, JSON.stringify(scene));
+  const page = await open(pageOf(file));
+  assert.deepEqual(await page.evaluate(() => [
+    document.querySelector('input[type=number]').value, document.querySelectorAll('.trace').length,
+    document.querySelectorAll('.diagram .curve[d]').length, document.getElementById('scale').getAttribute('aria-pressed'),
+  ]), ['20', 1, 1, 'true']);
+  await page.close();
+});
+
+test('a page that does not move has its steps', async () => {
+  const page = await open(pageOf(sceneOf('gear-pair')));
+  const seen = () => page.evaluate(() => [...document.querySelectorAll('#sheet [data-step]')].filter((ink) => !ink.hasAttribute('hidden')).length);
+  const all = await seen();
+  assert.ok(all > 5, String(all));
+  for (let i = 0; i < 40; i++) await page.keyboard.press('[');
+  assert.ok(await seen() < all / 2);
+  assert.ok(await page.evaluate(() => document.querySelectorAll('.said li').length) > 0);
+  for (let i = 0; i < 40; i++) await page.keyboard.press(']');
+  assert.equal(await seen(), all);
+  await page.close();
+});
+
 test('print keeps the bars and tells the position', async () => {
   const page = await open(fourPage, { hash: '#at=100' });
   if (!firefox) await page.emulateMediaType('print');
@@ -545,8 +647,8 @@ test('size and speed', async () => {
   const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json')), eight = pageOf(path.join(root, 'examples/eight-link.json'));
   const sizes = [six, eight].map((file) => readFileSync(file).length);
   const script = /<script>(.*?)<\/script>/s.exec(readFileSync(six, 'utf8'))[1].length;
-  assert.ok(script <= 80_000, `script ${script}`);
-  assert.ok(sizes[0] <= 300_000, `six-link ${sizes[0]}`);
+  assert.ok(script <= 78_000, `script ${script}`);
+  assert.ok(sizes[0] <= 290_000, `six-link ${sizes[0]}`);
   assert.ok(sizes[1] <= 450_000, `eight-link ${sizes[1]}`);
   const page = await open(six);
   const times = await page.evaluate(async () => {

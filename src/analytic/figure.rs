@@ -328,21 +328,38 @@ impl Figure<'_> {
         };
         let settled = match statement.standing {
             Standing::Stated | Standing::Hint | Standing::Driven => return Ok(stated),
-            Standing::Onto(locus) => {
-                let curve = self.curve(of, &locus)?;
-                let mut at = stated.at;
-                for _ in 0..3 {
-                    let Some((miss, normal)) = curve.miss(at) else { break };
-                    at = [0, 1].map(|i| at[i] - miss * normal[i]);
-                }
-                Spot { at, error: stated.error + curve.error_at(at) }
-            }
-            Standing::AtMeet(loci) => self.meet(of, &loci, Some(stated.at))?,
+            Standing::Onto(locus) => self.onto(of, &locus, stated)?,
+            Standing::AtMeet(loci) => self.at_meet(of, &loci, stated)?,
         };
         if length(minus(settled.at, stated.at)) > ROUNDING * self.size + stated.error + settled.error {
             return Err(self.fault(of, "it is stated beside what its links and guides make of it"));
         }
         Ok(settled)
+    }
+
+    /// Where two loci meet next to a stated place. Curves that touch leave open where along them the point is: there it is
+    /// stated.
+    fn at_meet(&self, of: PointId, loci: &[Locus; 2], stated: Spot) -> Result<Spot, AnalyticError> {
+        let met = self.meet(of, loci, Some(stated.at));
+        if !matches!(met, Err(AnalyticError::Unplaced { .. })) {
+            return met;
+        }
+        let on_first = self.onto(of, &loci[0], stated)?;
+        let second = self.curve(of, &loci[1])?;
+        let miss = second.miss(on_first.at).map_or(f64::INFINITY, |(miss, _)| miss.abs());
+        let room = on_first.error + second.error_at(on_first.at);
+        if miss > ROUNDING * self.size + room { met } else { Ok(on_first) }
+    }
+
+    /// The foot of a place on a locus.
+    fn onto(&self, of: PointId, locus: &Locus, from: Spot) -> Result<Spot, AnalyticError> {
+        let curve = self.curve(of, locus)?;
+        let mut at = from.at;
+        for _ in 0..3 {
+            let Some((miss, normal)) = curve.miss(at) else { break };
+            at = [0, 1].map(|i| at[i] - miss * normal[i]);
+        }
+        Ok(Spot { at, error: from.error + curve.error_at(at) })
     }
 
     /// Where two loci meet; of two places the one next to `near`.

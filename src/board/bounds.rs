@@ -15,6 +15,7 @@ use std::collections::BinaryHeap;
 
 use super::op::{MOST_OPERANDS, OF_PARTIALS, Op};
 use super::scalar::{Arithmetic, Real};
+use super::sketch::Sketches;
 use super::tape::{Errors, Event, Node, Reason, Role, Tape};
 use crate::double_double::DoubleDouble;
 use crate::wide::Wide;
@@ -84,6 +85,8 @@ pub(super) struct Bounds {
     local: Vec<f64>,
     /// Scratch of sweeps from many results: zero between them.
     lanes: Vec<[f64; LANES]>,
+    /// Rough errors of a long tape.
+    sketches: Sketches,
     /// The slots that a local sweep has still to look at, a bit each.
     waiting: Vec<u64>,
 }
@@ -109,6 +112,10 @@ const SWEEPS: [Sweep; 4] = [
     Sweep { how: DrawnIn::ToWholePoints, of_rounding: 1.0, of_error: 1e-8, of_terms: f64::INFINITY },
     Sweep { how: DrawnIn::Wholly, of_rounding: 8.0, of_error: 1e-6, of_terms: f64::INFINITY },
 ];
+
+/// From so many operations on the errors of operands are sketched before a sweep goes back for them: the sweeps of a
+/// longer tape would cost more with each operation.
+const LONG: usize = 4096;
 
 /// Errors that are no more than this part of a point's distance from the origin are fine: nothing that follows from
 /// such errors is drawn in because of them.
@@ -278,6 +285,9 @@ impl Tape {
     fn judge(&mut self, mark: u32, value: f64, reason: Reason) {
         // Written so that a not-a-number counts as weak, and a zero that has no error.
         let clear = |tape: &Self| tape.error_of(mark) < WEAK_DIVISOR * value.abs();
+        if value != 0.0 && !clear(self) {
+            self.sketch(&[mark]);
+        }
         for sweep in SWEEPS.into_iter().filter(|_| value != 0.0) {
             if !clear(self) {
                 self.draw_in(mark, sweep.how);
@@ -320,6 +330,11 @@ impl Tape {
         // Products with powers of two are exact, and beside exact numbers nothing is too small to matter.
         let terms: f64 = partials.iter().zip(at).map(|(partial, at)| (partial * at).abs()).sum();
         let least = rounding.max(unit * terms);
+        let is_rough = beyond.left_out > SWEEPS[0].of_rounding * least || along > SWEEPS[0].of_terms * terms;
+        if is_rough && !sweeps.is_empty() && self.sketch(&of[..count]) {
+            along = self.along(&partials, &of[..count]);
+            beyond = op.beyond(&at, &partials, &errors(self), along);
+        }
         for sweep in sweeps {
             let of_error = if least > 0.0 && sweep.how < DrawnIn::Wholly { 0.0 } else { sweep.of_error };
             let matters = beyond.left_out > sweep.of_rounding * least + of_error * along
@@ -364,6 +379,28 @@ impl Tape {
     }
 
     // --- sweeps --------------------------------------------------------------------------------
+
+    /// Draws in the errors of some slots of a long tape as far as a sketch can; whether it was asked.
+    fn sketch(&mut self, marks: &[u32]) -> bool {
+        let Self { nodes, bounds: Bounds { slots, sketches, .. }, .. } = self;
+        if slots.len() < LONG {
+            return false;
+        }
+        for index in sketches.len()..slots.len() {
+            let slot = &slots[index];
+            let operands: &[u32] = match &nodes[index] {
+                Node::Leaf(_) => &[],
+                Node::Made(op, of) => &of[..op.operands()],
+            };
+            sketches.push(slot.own, operands.iter().zip(slot.partials));
+        }
+        for &mark in marks {
+            if let Some(slot) = slots.get_mut(mark as usize) {
+                slot.error = slot.error.min(sketches.error_of(mark));
+            }
+        }
+        true
+    }
 
     /// Draws in the error of a slot, as far as this sweep can.
     ///

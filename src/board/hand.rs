@@ -4,6 +4,8 @@
 //! error. What that does to an answer is found in two ways: as a bound, by one sweep back over the tape with
 //! the slips in the place of the roundings; and as a distribution, by many draughtsmen with dice.
 
+use crate::lots::Lots;
+
 /// What a human hand does with a pencil; each can slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pencil {
@@ -38,17 +40,17 @@ impl Hand {
 }
 
 /// The dice of a draughtsman: each slip is uniform between its limits. The same seed draws the same drawing
-/// on every machine (SplitMix64; G. L. Steele, D. Lea, C. H. Flood, 2014).
+/// on every machine.
 #[derive(Debug, Clone)]
 pub(super) struct Dice {
-    state: u64,
+    lots: Lots,
     hand: Hand,
 }
 
 impl Dice {
     /// The dice of the draughtsman of this number.
     pub(super) fn new(hand: Hand, seed: u64) -> Self {
-        Self { state: seed.wrapping_mul(0xd134_2543_de82_ef95), hand }
+        Self { lots: Lots::new(seed.wrapping_mul(0xd134_2543_de82_ef95)), hand }
     }
 
     /// His slip in the next act.
@@ -58,13 +60,8 @@ impl Dice {
 
     /// Uniform in [−1, 1).
     fn roll(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
         #[expect(clippy::cast_precision_loss, reason = "53 bits fit a double")]
-        let part = (z >> 11) as f64;
+        let part = (self.lots.draw() >> 11) as f64;
         part / 4_503_599_627_370_496.0 - 1.0
     }
 }

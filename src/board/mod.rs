@@ -18,6 +18,7 @@ mod number;
 mod op;
 mod program;
 mod scalar;
+mod sketch;
 mod tape;
 mod trial;
 

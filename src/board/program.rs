@@ -23,6 +23,7 @@ use super::op::{MOST_OPERANDS, Op};
 use super::tape::{self, Event, Leaf, Reason, Role, Tape, Trial};
 use super::trial::{CARRIED, Seen, find};
 use crate::given::Given;
+use crate::lots::lot;
 
 /// Positions that are computed together.
 pub const LANES: usize = 16;
@@ -887,14 +888,6 @@ impl Row {
             *error += if lots >> index & 1 == 0 { by } else { -by };
         }
     }
-}
-
-/// A number that looks as if drawn by lot: splitmix64 (Steele, Lea and Flood 2014).
-fn lot(of: u64) -> u64 {
-    let mut z = of.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
 }
 
 /// The signs that were drawn for the roundings of a number with this lot.

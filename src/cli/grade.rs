@@ -22,6 +22,7 @@ pub(super) struct Job {
     pub(super) json: bool,
     pub(super) hand: Option<Hand>,
     pub(super) max_tolerance: Option<f64>,
+    pub(super) trust_answers: bool,
     pub(super) output: Option<PathBuf>,
 }
 
@@ -66,6 +67,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if let Some(most) = job.max_tolerance {
         settings.max_tolerance = most;
     }
+    settings.trusts_answers = job.trust_answers;
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
@@ -158,6 +160,10 @@ impl Exam {
     fn variant_of(&self, answers: &Path) -> Result<Scene, Failure> {
         let (file, text) = files::read_file(answers)?;
         let text = grade::with_plain_digits(&text);
+        let begin = text.trim_start_matches('\u{feff}').trim_start();
+        if begin.is_empty() {
+            return Err(Failure(format!("{file}: the file is empty")));
+        }
         let json =
             || Some(serde_json::from_str::<serde_json::Value>(&text).ok()?["variant"].as_str()?.to_owned());
         let row = || {
@@ -176,6 +182,9 @@ impl Exam {
             .or_else(named)
             .filter(|name| !name.is_empty() && name.len() <= 6 && name.chars().all(|c| c.is_ascii_digit()));
         let Some(variant) = variant else {
+            if begin.starts_with('{') {
+                grade::refuse_broken(&text, &file)?;
+            }
             return Err(Failure(format!(
                 "{file}: which variant is this? say \"variant\": \"007\", in a table the row `variant,007`, or name \
                  the file after it"

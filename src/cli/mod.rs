@@ -188,13 +188,16 @@ enum Command {
         #[arg(long)]
         json: bool,
         /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
-        /// 0.2mm,0.3deg where neither this nor the answers say it
+        /// 0.2mm,0.3deg where nothing is said, and for the variants of an exam what the exam was made with
         #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = parse_hand)]
         hand: Option<Hand>,
-        /// No answer may be off by a larger part of the right value; a tolerance that the answers state is not capped.
-        /// 10% where nothing is said, and for the variants of an exam what the exam was made with
+        /// No answer may be off by a larger part of the right value; 10% where nothing is said, and for the variants of an exam what the exam was made with
         #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_percent)]
         max_tolerance: Option<f64>,
+        /// The answers are the examiner's own, such as a textbook's: the `tolerance` that they state counts, uncapped.
+        /// Without this it does not
+        #[arg(long)]
+        trust_answers: bool,
         /// Where to write the student's polygons over the right ones, every fault circled; the ending chooses the
         /// format, .html is a page with report and figure. A folder: a page for each, marks.csv and faults.csv
         #[arg(short, long, value_name = "FILE|DIR")]
@@ -567,8 +570,10 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith, ..Settings::default() })
         }
-        Command::Grade { scene, answers, drawing, json, hand, max_tolerance, output } => {
-            grade::run(&grade::Job { scene, answers, drawing, json, hand, max_tolerance, output })
+        Command::Grade { scene, answers, drawing, json, hand, max_tolerance, trust_answers, output } => {
+            let job =
+                grade::Job { scene, answers, drawing, json, hand, max_tolerance, trust_answers, output };
+            grade::run(&job)
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep {

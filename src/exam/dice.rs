@@ -1,28 +1,15 @@
 //! Which numbers each try takes: from the seed and the number of the try alone, so that neither the order
 //! of work nor the number of workers changes a variant.
 
+use crate::lots::Lots;
 use crate::scene::Varied;
 
 /// Up to so many different scenes all are tried, each once.
 const FEW: u64 = 1 << 20;
 
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
-#[derive(Debug, Clone)]
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to below `end`.
-    fn below(&mut self, end: u64) -> u64 {
-        ((u128::from(self.next()) * u128::from(end)) >> 64) as u64
-    }
+/// A number from 0 to below `end`.
+fn below(lots: &mut Lots, end: u64) -> u64 {
+    ((u128::from(lots.draw()) * u128::from(end)) >> 64) as u64
 }
 
 /// The tries of an exam, in their order.
@@ -40,10 +27,10 @@ impl Tries {
         let all = counts.iter().try_fold(1_u64, |product, count| product.checked_mul(*count));
         let shuffled = all.filter(|all| *all <= FEW).map(|all| {
             let mut order: Vec<u32> = (0..all as u32).collect();
-            let mut dice = Dice(seed);
+            let mut lots = Lots::new(seed);
             // Fisher and Yates.
             for end in (1..order.len()).rev() {
-                order.swap(end, dice.below(end as u64 + 1) as usize);
+                order.swap(end, below(&mut lots, end as u64 + 1) as usize);
             }
             order
         });
@@ -66,7 +53,7 @@ impl Tries {
             };
             return Some(self.counts.iter().map(take).collect());
         }
-        let mut dice = Dice(self.seed ^ number.wrapping_mul(0xd134_2543_de82_ef95));
-        Some(self.counts.iter().map(|count| dice.below(*count)).collect())
+        let mut lots = Lots::new(self.seed ^ number.wrapping_mul(0xd134_2543_de82_ef95));
+        Some(self.counts.iter().map(|count| below(&mut lots, *count)).collect())
     }
 }

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_numbers};
+use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_numbers, with_plain_sense};
 use super::scan::Scan;
 use crate::limits;
 use crate::mechanism::Sense;
@@ -44,9 +44,10 @@ pub struct Answers {
     pub scales: StatedScales,
     /// Points of the drawing.
     pub figures: Vec<FigurePoints>,
-    /// How exact the student's hand is taken to be, millimetres and radians, where the file says it.
+    /// How exact the hand is taken to be, millimetres and radians, where the file says it; it counts where
+    /// [`GradeSettings::trusts_answers`](super::GradeSettings::trusts_answers) says so.
     pub hand: (Option<f64>, Option<f64>),
-    /// Tolerances that the file states, by the name of the quantity.
+    /// Tolerances that the file states, by the name of the quantity; they count where the hand does.
     pub tolerances: Vec<(String, Tolerance)>,
     /// The file of the drawing, where the answers name one: it is read by [`Answers::add_drawing`].
     pub drawing: Option<String>,
@@ -224,6 +225,11 @@ impl Answers {
         }
     }
 
+    /// Whether the file states how exact it is to be graded.
+    pub(super) fn state_tolerances(&self) -> bool {
+        self.hand != (None, None) || !self.tolerances.is_empty()
+    }
+
     /// Whether nothing was handed in.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -262,12 +268,23 @@ pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diag
     answers.map_err(|fault| fault.locate(file, text, Some(&root)))
 }
 
+/// Refuses a text that is no JSON, with its place; `file` is named.
+#[cfg(feature = "cli")]
+pub(crate) fn refuse_broken(text: &str, file: &str) -> Result<(), Diagnostic> {
+    let plain = with_plain_numbers(text);
+    let document = json::parse(&plain).map_err(|fault| fault.locate(file, &plain, None))?;
+    document.fault.map_or(Ok(()), |fault| Err(fault.locate(file, &plain, Some(&document.root))))
+}
+
 /// Turns the digits of Persian and Arabic into those of ASCII, and names a decimal comma for what it is; names of people
 /// and files stay as they are.
 fn read_digits(value: &mut Value<'_>, key: Option<&str>) -> Res<()> {
     match &mut value.kind {
         Kind::Text(text) if !key.is_some_and(|key| NAMES.contains(&key)) => {
             if let Cow::Owned(plain) = with_plain_digits(text) {
+                *text = plain;
+            }
+            if let Cow::Owned(plain) = with_plain_sense(text) {
                 *text = plain;
             }
             refuse_decimal_comma(text, value.at)?;

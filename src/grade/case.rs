@@ -106,6 +106,8 @@ pub(super) struct Case<'s> {
     named: RefCell<BTreeMap<String, Quantity>>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
+    /// Whether the answers state tolerances that do not count.
+    pub(super) tolerances_ignored: bool,
 }
 
 /// By how much an answer may be off.
@@ -234,10 +236,12 @@ impl<'s> Case<'s> {
         on_a_sheet(&own, answers)?;
         let scales =
             Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
+        // Nobody sets the tolerance of what he hands in.
+        let trusted = settings.trusts_answers.then_some(answers);
         let standard = Standard {
             hand: Hand {
-                length: answers.hand.0.unwrap_or(settings.hand.length),
-                angle: answers.hand.1.unwrap_or(settings.hand.angle),
+                length: trusted.and_then(|own| own.hand.0).unwrap_or(settings.hand.length),
+                angle: trusted.and_then(|own| own.hand.1).unwrap_or(settings.hand.angle),
             },
             draughtsmen: settings.draughtsmen,
             max_tolerance: settings.max_tolerance,
@@ -278,6 +282,7 @@ impl<'s> Case<'s> {
             turns: Turns::default(),
             named: RefCell::default(),
             by_parts: settings.by_parts,
+            tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
@@ -290,7 +295,8 @@ impl<'s> Case<'s> {
         case.observations.sort_by_key(|observation| observation.rank);
         case.truth = case.seen(&case.right, &Change::default());
         for (observation, truth) in case.observations.iter_mut().zip(&case.truth) {
-            let stated = answers.tolerances.iter().find(|(name, _)| *name == observation.name);
+            let stated = trusted.iter().flat_map(|own| &own.tolerances);
+            let stated = stated.into_iter().find(|(name, _)| *name == observation.name);
             observation.stated = stated.and_then(|(_, tolerance)| match *tolerance {
                 Tolerance::Part(part) => truth.as_deref().map(|numbers| part * size(numbers)),
                 Tolerance::Amount(amount) => Some(amount),
@@ -415,6 +421,8 @@ impl<'s> Case<'s> {
                 10 * (10 * self.stage(*force) + of_share)
             }
             Quantity::Cycle(of) => 10 * (LAST + cycle_stage(*of)),
+            // Centres are found on the skeleton, before any velocity.
+            Quantity::Centre(..) => return (Order::Position, usize::MAX, 0),
             _ => return rank_of(&self.right.construction, quantity),
         };
         (Order::Acceleration, usize::MAX, 1 + place)
@@ -1101,6 +1109,18 @@ impl<'s> Case<'s> {
         Allowance { room: Room::of(by), free: honest, honest, basis: Basis::Read, loose }
     }
 
+    /// The points of the skeleton that were handed in wrongly, metres.
+    pub(super) fn misplaced(&self) -> Vec<(PointId, [f64; 2])> {
+        let wrong = |index: usize| self.miss(index, self.truth[index].as_deref(), self.rooms[index]) > 1.0;
+        let all = self.observations.iter().enumerate();
+        all.filter_map(|(index, observation)| place_given(observation).filter(|_| wrong(index))).collect()
+    }
+
+    /// Where the student has a point of the skeleton, metres.
+    pub(super) fn drawn_place(&self, point: PointId) -> Option<[f64; 2]> {
+        self.observations.iter().filter_map(place_given).find(|(of, _)| *of == point).map(|(_, at)| at)
+    }
+
     /// Whether a rotation has the right size and the other sense.
     pub(super) fn opposite(&self, index: usize) -> bool {
         let Given::Signed(given) = self.observations[index].given else { return false };
@@ -1143,6 +1163,15 @@ impl<'s> Case<'s> {
             }
             (Given::Vector(given), _) => [apart(&given), 0.0],
         }
+    }
+}
+
+/// A point of the skeleton with the place that was handed in, metres.
+fn place_given(observation: &Observation) -> Option<(PointId, [f64; 2])> {
+    match (observation.target, observation.quantity, observation.given) {
+        (Target::Place(point), _, Given::Vector(at))
+        | (_, Some(Quantity::Position(point)), Given::Vector(at)) => Some((point, at)),
+        _ => None,
     }
 }
 

@@ -8,7 +8,7 @@ use crate::graphical::{Departure, Twist};
 use crate::mechanism::force::{Inertia, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
-use crate::mechanism::{Form, GuidePoint, Input, Mechanism, Path, Place, Roll};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, Roll};
 
 /// All that one mistake, or several together, change.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,8 +37,10 @@ pub(super) struct Stray {
 pub(super) enum InputChange {
     /// ω and α of every input are multiplied (of a slide its velocity and acceleration).
     Rates { omega: f64, alpha: f64 },
-    /// Angles in degrees were taken as radians by the calculator.
-    AnglesInRadians,
+    /// The angle of an input (by its index) is larger by so many radians.
+    Angle { input: usize, by: f64 },
+    /// The length between two joints of a link, by their places in it, is multiplied.
+    Length { link: LinkId, ends: [usize; 2], factor: f64 },
     /// Every length is multiplied; the given speeds of points and slides as well, or not.
     Lengths { factor: f64, speeds: bool },
     /// The period of the turning-moment diagram is multiplied.
@@ -152,7 +154,8 @@ impl Change {
         for change in &self.inputs {
             match *change {
                 InputChange::Rates { omega, alpha } => drive(mechanism.to_mut(), omega, alpha),
-                InputChange::AnglesInRadians => take_for_radians(mechanism.to_mut()),
+                InputChange::Angle { input, by } => turn(mechanism.to_mut(), input, by),
+                InputChange::Length { link, ends, factor } => stretch(mechanism.to_mut(), link, ends, factor),
                 InputChange::Lengths { factor, speeds } => enlarge(mechanism.to_mut(), factor, speeds),
                 InputChange::Period(factor) => {
                     if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
@@ -185,12 +188,27 @@ fn drive(mechanism: &mut Mechanism, first: f64, second: f64) {
     }
 }
 
-fn take_for_radians(mechanism: &mut Mechanism) {
-    for input in &mut mechanism.inputs {
-        if let Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. } = input {
-            *angle = angle.times(1_f64.to_degrees());
-        }
+fn turn(mechanism: &mut Mechanism, input: usize, by: f64) {
+    if let Some(Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) =
+        mechanism.inputs.get_mut(input)
+    {
+        *angle = Given::exact(angle.value + by);
     }
+}
+
+/// Another length between two joints of a link, where the link is given by it.
+fn stretch(mechanism: &mut Mechanism, link: LinkId, ends: [usize; 2], factor: f64) {
+    let Some(link) = mechanism.links.get_mut(link.0) else { return };
+    let length = match (&mut link.form, ends) {
+        (Form::Length(length), [0, 1]) => length,
+        (Form::Sides { first_second, .. }, [0, 1]) => first_second,
+        (Form::Sides { second_third, .. }, [1, 2]) => second_third,
+        (Form::Sides { third_first, .. }, [0, 2]) => third_first,
+        (Form::Arms { second, .. }, [0, 1]) => second,
+        (Form::Arms { third, .. }, [0, 2]) => third,
+        _ => return,
+    };
+    *length = length.times(factor);
 }
 
 /// The same mechanism, larger.

@@ -1,17 +1,21 @@
-//! The digits of Persian and Arabic in answers, as those that the readers know.
+//! What people type in answers as what the readers know: the digits of Persian and Arabic, the minus sign of printed
+//! texts, the sign of degrees, and words for the sense of a rotation.
 
 use std::borrow::Cow;
 
 use crate::scene::diagnostic::{Fault, Res};
 
-/// The same text with the digits of ASCII, `٫` as the decimal point and `٬` left out between digits.
+/// The same text with the digits of ASCII, `٫` as the decimal point, `٬` left out between digits, a printed minus sign as
+/// a hyphen, and `°` as the name of that unit.
 #[must_use]
 pub(crate) fn with_plain_digits(text: &str) -> Cow<'_, str> {
-    if !text.chars().any(|sign| plain_digit(sign).is_some() || matches!(sign, DECIMAL | THOUSANDS)) {
+    let typed = |sign| matches!(sign, DECIMAL | THOUSANDS | DEGREES) || MINUS.contains(&sign);
+    if !text.chars().any(|sign| plain_digit(sign).is_some() || typed(sign)) {
         return Cow::Borrowed(text);
     }
     let is_digit =
         |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_digit() || plain_digit(sign).is_some());
+    let numeral = |sign: Option<&char>| is_digit(sign.copied()) || matches!(sign, Some('.' | &DECIMAL));
     let mut plain = String::with_capacity(text.len());
     let mut before = None;
     let mut signs = text.chars().peekable();
@@ -20,6 +24,11 @@ pub(crate) fn with_plain_digits(text: &str) -> Cow<'_, str> {
         match (sign, plain_digit(sign)) {
             (_, Some(digit)) => plain.push(digit),
             (DECIMAL, _) => plain.push('.'),
+            // Between two numbers it is a stroke.
+            (sign, _) if MINUS.contains(&sign) && !is_digit(before) && numeral(signs.peek()) => {
+                plain.push('-')
+            }
+            (DEGREES, _) if is_digit(before) || matches!(before, Some(' ' | '.')) => plain.push_str(" deg"),
             (THOUSANDS, _) if between => {}
             _ => plain.push(sign),
         }
@@ -32,6 +41,37 @@ pub(crate) fn with_plain_digits(text: &str) -> Cow<'_, str> {
 const DECIMAL: char = '\u{66b}';
 /// The Arabic sign between thousands.
 const THOUSANDS: char = '\u{66c}';
+
+const DEGREES: char = '°';
+/// The minus sign of printed texts, and the stroke that writing programs make of a hyphen.
+const MINUS: [char; 2] = ['\u{2212}', '\u{2013}'];
+
+/// The same text with the sense of a rotation at its end as `cw` or `ccw`.
+pub(super) fn with_plain_sense(text: &str) -> Cow<'_, str> {
+    let whole = text.trim_end();
+    let lower = whole.to_ascii_lowercase();
+    for (word, sense) in SENSES {
+        let Some(before) = lower.strip_suffix(word) else { continue };
+        if before.ends_with(|sign: char| sign.is_alphanumeric() || sign == '-') {
+            continue;
+        }
+        return Cow::Owned(format!("{}{sense}", &whole[..before.len()]));
+    }
+    Cow::Borrowed(text)
+}
+
+/// How people write a sense, what holds another before it.
+const SENSES: [(&str, &str); 9] = [
+    ("counter clockwise", "ccw"),
+    ("counter-clockwise", "ccw"),
+    ("counterclockwise", "ccw"),
+    ("anti clockwise", "ccw"),
+    ("anti-clockwise", "ccw"),
+    ("anticlockwise", "ccw"),
+    ("ccw", "ccw"),
+    ("clockwise", "cw"),
+    ("cw", "cw"),
+];
 
 /// The digit of ASCII for one of Persian or Arabic.
 fn plain_digit(sign: char) -> Option<char> {
@@ -70,6 +110,17 @@ pub(super) fn refuse_decimal_comma(text: &str, at: usize) -> Res<()> {
     if !has_decimal_comma(text) {
         return Ok(());
     }
+    // Between thousands as well as before decimals: nobody but the writer knows.
+    let number: &str = text.split_whitespace().next().unwrap_or(text);
+    let parts: Vec<&str> = number.split(',').skip(1).collect();
+    if parts.iter().all(|part| part.len() == 3 && part.bytes().all(|sign| sign.is_ascii_digit())) {
+        let fault = Fault::new(at, format!("`{text}` has a comma, which may part thousands or decimals"));
+        let thousands = text.replace(',', "");
+        return Err(match parts.len() {
+            1 => fault.mend(format!("write {thousands}, or {}", text.replacen(',', ".", 1))),
+            _ => fault.mend(format!("write {thousands}")),
+        });
+    }
     let fault = Fault::new(at, format!("`{text}` has a decimal comma"));
     Err(fault.mend(format!("write a decimal point: {}", text.replacen(',', ".", 1))))
 }
@@ -93,6 +144,25 @@ mod tests {
         assert_eq!(with_plain_digits("-١٬٢٣٤٫٥"), "-1234.5");
         assert!(matches!(with_plain_digits("v(B),3.5"), Cow::Borrowed(_)));
         assert_eq!(with_plain_digits("نام ٬ ۷"), "نام ٬ 7");
+    }
+
+    #[test]
+    fn signs_and_senses_as_people_type_them() {
+        assert_eq!(with_plain_digits("\u{2212}7.75 in/s"), "-7.75 in/s");
+        assert_eq!(with_plain_digits("\u{2212}٧٫٧٥"), "-7.75");
+        assert_eq!(with_plain_digits("3\u{2013}4"), "3\u{2013}4");
+        assert_eq!(with_plain_digits("30.5°"), "30.5 deg");
+        for (typed, plain) in [
+            ("12.2 rad/s clockwise", "12.2 rad/s cw"),
+            ("12.2 rad/s counter-clockwise", "12.2 rad/s ccw"),
+            ("12.2 rad/s Counter Clockwise", "12.2 rad/s ccw"),
+            ("12.2 rad/s anticlockwise", "12.2 rad/s ccw"),
+            ("CW", "cw"),
+            ("5 CCW", "5 ccw"),
+            ("5 xcw", "5 xcw"),
+        ] {
+            assert_eq!(with_plain_sense(typed), plain);
+        }
     }
 
     #[test]

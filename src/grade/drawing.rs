@@ -44,6 +44,10 @@ const DOUBT: f64 = 0.1;
 /// Marks that lie nearer to each other (mm) are one.
 const SAME_MARK: f64 = 0.3;
 
+/// Ends of lines that a careful hand leaves apart (mm), each a fifth of a millimetre off in both directions: one letter
+/// beside them names their middle.
+const PENCIL: f64 = 0.6;
+
 /// A closed figure of three or four corners that is not larger than this (mm) is an arrowhead.
 const ARROWHEAD: f64 = 6.0;
 
@@ -216,7 +220,16 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> 
             continue;
         };
         let own = cost(index, mark).unwrap_or(0.0);
-        for &(other, else_cost) in costs[index].iter().filter(|(other, _)| *other != mark) {
+        // What nobody else claims so near to it is the same point, drawn twice.
+        let one_point: Vec<Point> = costs[index]
+            .iter()
+            .filter(|(other, _)| *other == mark || !owner.contains_key(other))
+            .map(|(other, _)| marks[*other])
+            .filter(|other| !other.dot && other.at.distance(marks[mark].at) <= PENCIL)
+            .map(|other| other.at)
+            .collect();
+        let among = |other: usize| one_point.contains(&marks[other].at);
+        for &(other, else_cost) in costs[index].iter().filter(|(other, _)| *other != mark && !among(*other)) {
             let apart = match owner.get(&other) {
                 // Another letter would have to go where this one stands.
                 Some(&rival) => cost(rival, mark).zip(cost(rival, other)).map(|(there, here)| there - here),
@@ -228,7 +241,13 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> 
                 return Err(Fault::new(letter.at, what).mend("set it nearer to its own, or draw a dot there"));
             }
         }
-        found.push((marks[mark].at, None));
+        let middle = match (marks[mark].dot, one_point.len()) {
+            (false, count) if count > 1 => {
+                one_point.iter().fold(Point::ZERO, |sum, at| sum + at.to_vec2() / count as f64)
+            }
+            _ => marks[mark].at,
+        };
+        found.push((middle, None));
     }
     Ok(letters.into_iter().zip(found).collect())
 }
@@ -373,11 +392,22 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
             let what = format!("more than {most} dots, corners and ends of lines");
             return Err(Fault::new(node.range().start, what).mend("hand in the drawing alone"));
         }
-        // What is shown once more, enlarged, marks nothing.
-        let children = node.children().rev().filter(|child| child.is_element() && !is_of(*child, "detail"));
+        // What is shown once more, enlarged, marks nothing; the letters of running text on a sheet name nothing.
+        let marks_nothing = |child: &Node<'_, '_>| is_of(*child, "detail") || is_running_text(*child);
+        let children = node.children().rev().filter(|child| child.is_element() && !marks_nothing(child));
         open.extend(children.map(|child| (child, around)));
     }
     Ok((marks, letters))
+}
+
+/// Groups of a sheet that hold lines of text.
+const RUNNING_TEXT: [&str; 5] = ["given", "heading", "caption", "sentence", "page-number"];
+
+/// Whether an element is a line of text on a sheet; one that runs from right to left is broken up into texts of its own.
+fn is_running_text(node: Node<'_, '_>) -> bool {
+    let arabic = |child: Node<'_, '_>| child.tag_name().name() == "text" && is_of(child, "arabic");
+    node.tag_name().name() == "g"
+        && (RUNNING_TEXT.iter().any(|class| is_of(node, class)) || node.children().any(arabic))
 }
 
 /// Whether an element says to be of a class.

@@ -30,6 +30,9 @@ impl List<'_, '_> {
     pub(super) fn forces(&mut self, sheet: &ForceSheet) {
         self.inertia();
         self.weights_and_masses();
+        self.all_weights();
+        self.loads_elsewhere(sheet);
+        self.parallel_axes();
         self.left_out(sheet);
         self.handed_on_reversed(sheet);
         self.arms(sheet);
@@ -59,6 +62,13 @@ impl List<'_, '_> {
             };
             let price = if link.is_some() { PLAIN } else { 0.5 };
             let back = Departure::InertiaForce { link, twist: Twist::scaled(-1.0) };
+            // The force alone, or its couple with it.
+            let none = Departure::InertiaForce { link, twist: Twist::scaled(0.0) };
+            let couple = Departure::InertiaTorque { link, factor: 0.0 };
+            let left_out = |departures: Vec<Departure>| Change::drawn(departures);
+            self.add(Kind::ForceLeftOut, &at, None, price, left_out(vec![none]));
+            let how = (Kind::ForceLeftOut, "with its couple".to_owned());
+            self.add_so(how, &at, None, price + 0.25, left_out(vec![none, couple]));
             self.add(Kind::InertiaAlongAcceleration, &at, None, price, Change::drawn(vec![back]));
             // The acceleration in millimetres or centimetres times kilograms.
             let unit = self.case.scene.units.length.si;
@@ -144,6 +154,75 @@ impl List<'_, '_> {
                         self.add(kind, &at, None, price + 0.5, Change::drawn(both));
                     }
                 }
+            }
+        }
+    }
+
+    /// Every weight forgotten, or drawn upwards.
+    fn all_weights(&mut self) {
+        let forces = &self.case.mechanism.forces;
+        if !forces.gravity.acts || forces.masses.iter().all(|mass| mass.heaviness == Heaviness::None) {
+            return;
+        }
+        for (kind, factor) in [(Kind::ForceLeftOut, 0.0), (Kind::SenseReversed, -1.0)] {
+            let all = Departure::Weight { link: None, factor };
+            self.add(kind, "every weight", None, PLAIN, Change::drawn(vec![all]));
+        }
+    }
+
+    /// A load laid off at another point of its link than its own.
+    fn loads_elsewhere(&mut self, sheet: &ForceSheet) {
+        for Standing { link, acting, .. } in self.standing(sheet) {
+            if !matches!(acting.action, Action::Load(_)) || acting.force == [0.0; 2] {
+                continue;
+            }
+            let points = self.case.mechanism.link(link).points.clone();
+            let price = 0.5 + one_of(points.len()) / 4.0;
+            for point in points {
+                let Some(at) = self.place(point) else { continue };
+                let [x, y] = [at[0] - acting.through[0], at[1] - acting.through[1]];
+                let couple = x * acting.force[1] - y * acting.force[0];
+                let arm = libm::hypot(acting.at[0] - at[0], acting.at[1] - at[1]);
+                let size = libm::hypot(acting.force[0], acting.force[1]);
+                // On its own line it is the same load.
+                if couple.abs() <= SAME_ARM * size * arm {
+                    continue;
+                }
+                let name = self.force_name(Force::Vector(acting.action));
+                let how = format!("at {}", self.case.mechanism.point(point).name);
+                let beside = Departure::Beside { link, force: [0.0; 2], at, couple };
+                let change = Change::drawn(vec![beside]);
+                self.add_so((Kind::LoadElsewhere, how), &name, None, price, change);
+            }
+        }
+    }
+
+    /// A moment of inertia about another point of the link taken for that about the mass centre, or reckoned over to the
+    /// wrong side.
+    fn parallel_axes(&mut self) {
+        for mass in self.case.mechanism.forces.masses.clone() {
+            let Inertia::About(about, own) = mass.inertia else { continue };
+            let (Some(from), Some(centre)) = (self.place(about), self.place(mass.centre)) else { continue };
+            let g = self.case.mechanism.forces.gravity.g.value;
+            let kg = match mass.heaviness {
+                Heaviness::Weight(weight) => weight.value / g,
+                Heaviness::Mass(mass) => mass.value,
+                Heaviness::None => continue,
+            };
+            let far = libm::hypot(from[0] - centre[0], from[1] - centre[1]);
+            let central = own.value - kg * far * far;
+            if central <= 0.0 || far <= 0.0 {
+                continue;
+            }
+            let name = self.force_name(Force::InertiaTorque(mass.link));
+            let point = self.case.mechanism.point(about).name.clone();
+            for (factor, how) in [
+                (own.value / central, format!("I about {point} taken for I about the mass centre")),
+                ((own.value + kg * far * far) / central, "M·d² added that is taken off".to_owned()),
+            ] {
+                let torque = Departure::InertiaTorque { link: Some(mass.link), factor };
+                let change = Change::drawn(vec![torque]);
+                self.add_so((Kind::ParallelAxis, how), &name, None, PLAIN, change);
             }
         }
     }
@@ -340,6 +419,10 @@ impl List<'_, '_> {
         }
         let price = 0.5 + one_of(lines.len()) / 2.0;
         for (slide, Slide { rider, guide }) in mechanism.slides.clone().into_iter().enumerate() {
+            // A guide that rubs does not press square to itself.
+            if mechanism.forces.friction.slides.iter().any(|rubbing| rubbing.slide == slide) {
+                continue;
+            }
             let Party::Link(rider) = mechanism.party_of(&rider) else { continue };
             let action = Action::Pair { by: guide.link, on: rider };
             let all = sheet.bodies.iter().flat_map(|body| &body.acting);
@@ -382,6 +465,27 @@ impl List<'_, '_> {
             _ => String::new(),
         };
         let mut found: Vec<(Kind, String, f64, Vec<Departure>)> = Vec::new();
+        let smooth_pins: Vec<Departure> = friction
+            .pins
+            .iter()
+            .map(|rubbing| Departure::FrictionCircle { pin: rubbing.pin, factor: 0.0 })
+            .collect();
+        let slides = self.case.mechanism.rubbing_pairs().into_iter().filter_map(|pair| match pair {
+            RubbingPair::Slide(slide) => Some(Departure::FrictionAngle { slide, factor: 0.0 }),
+            _ => None,
+        });
+        let smooth_guides: Vec<Departure> = slides.collect();
+        let smooth = [&smooth_pins[..], &smooth_guides[..]].concat();
+        let both = !smooth_pins.is_empty() && !smooth_guides.is_empty();
+        for (at, departures, among) in [
+            ("every pair", smooth, both),
+            ("the pins", smooth_pins, true),
+            ("the guides", smooth_guides, true),
+        ] {
+            if among && !departures.is_empty() {
+                found.push((Kind::FrictionLeftOut, at.to_owned(), PLAIN, departures));
+            }
+        }
         for (kind, departures) in [(Kind::CircleIsJournal, circles), (Kind::OtherTangent, tangents)] {
             let single = if departures.len() > 1 { 0.5 } else { PLAIN };
             for departure in &departures {

@@ -469,6 +469,7 @@ fn one_of_many(kind: Kind) -> bool {
             | Kind::ScaleWrong
             | Kind::CalculatorInRadians
             | Kind::RateFromWrongVector
+            | Kind::InputAngle
     )
 }
 
@@ -536,6 +537,20 @@ fn moved_foot(base: &Sketch, order: Order, label: Label, at: [f64; 2]) -> Vec<Ch
     touching.filter_map(laid_off).collect()
 }
 
+/// The first velocity that is calculated, laid off longer or shorter.
+fn enlarged_from_the_start(base: &Sketch, factor: f64) -> Option<Change> {
+    let acts = base.construction.steps.iter().flat_map(|step| &step.acts);
+    let first = acts.filter_map(|act| match *act {
+        Act::Calculate(Calculation::Speed { quantity: quantity @ Quantity::Velocity(_), .. }) => {
+            Some(Departure::LaidOff { quantity, twist: Twist::scaled(factor) })
+        }
+        _ => None,
+    });
+    // Carried on to other links, velocities are calculated too: the first alone is the slip.
+    let first: Vec<Departure> = first.take(1).collect();
+    (!first.is_empty()).then(|| Change::drawn(first))
+}
+
 /// How a balance goes on from a student's own force.
 fn own_force(force: Force, own: Option<[f64; 2]>, (factor, twist): (f64, Twist)) -> Option<Change> {
     let departure = match (force, own) {
@@ -568,6 +583,10 @@ fn own_quantity(
         [x, y] => Some([x, y]),
         _ => None,
     };
+    // A slip in the first vector of the polygon enlarges all of it.
+    if let (Order::Velocity, true) = (order, factor.is_finite() && factor != 0.0) {
+        ways.extend(enlarged_from_the_start(base, factor));
+    }
     match (quantity, vector) {
         (Quantity::Omega(link), None) => {
             let rate = Departure::RateIs { order, link, value: own[0] };

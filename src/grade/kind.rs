@@ -115,11 +115,21 @@ pub enum Kind {
     FigureTurned,
     /// A length on paper was multiplied by its scale factor twice.
     ScaleTwice,
+    /// The input was laid off at another angle than the given one.
+    InputAngle,
+    /// A length of the skeleton was laid off otherwise.
+    LengthLaidOff,
+    /// Friction was left out.
+    FrictionLeftOut,
+    /// A load was laid off at another point.
+    LoadElsewhere,
+    /// A moment of inertia about another point than the mass centre.
+    ParallelAxis,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 56] = [
+    pub const ALL: [Self; 61] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -176,6 +186,11 @@ impl Kind {
         Self::DirectionMeasured,
         Self::FigureTurned,
         Self::ScaleTwice,
+        Self::InputAngle,
+        Self::LengthLaidOff,
+        Self::FrictionLeftOut,
+        Self::LoadElsewhere,
+        Self::ParallelAxis,
     ];
 
     /// Its name in a report.
@@ -238,6 +253,11 @@ impl Kind {
             Self::DirectionMeasured => "direction-measured-otherwise",
             Self::FigureTurned => "figure-turned",
             Self::ScaleTwice => "scale-twice",
+            Self::InputAngle => "input-angle",
+            Self::LengthLaidOff => "length-laid-off",
+            Self::FrictionLeftOut => "friction-left-out",
+            Self::LoadElsewhere => "load-elsewhere",
+            Self::ParallelAxis => "parallel-axis",
         }
     }
 }

@@ -53,6 +53,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.poles(so_far);
     list.units();
     list.calculator();
+    list.skeleton();
     list.directions();
     list.degrees();
     if let Some(sheet) = case.bodies(drawn) {
@@ -175,8 +176,15 @@ impl<'c> List<'c, '_> {
     /// A calculator that computes in radians: of the given angle, or of every direction that is written down.
     fn calculator(&mut self) {
         let kind = Kind::CalculatorInRadians;
-        let given = Change::of_inputs(InputChange::AnglesInRadians);
-        self.add(kind, "the given angle", None, 1.0, given);
+        // As it was written: 200°, not −160°.
+        let angles: Vec<(usize, f64, f64)> = self.angles().collect();
+        let typed = angles
+            .iter()
+            .map(|&(input, stated, _)| InputChange::Angle { input, by: stated.to_degrees() - stated });
+        let given = Change { inputs: typed.collect(), ..Change::default() };
+        if !given.inputs.is_empty() {
+            self.add(kind, "the given angle", None, 1.0, given);
+        }
         let ways = [true, false]
             .into_iter()
             .flat_map(|typed| [false, true].into_iter().map(move |from_zero| InRadians { typed, from_zero }));
@@ -195,6 +203,104 @@ impl<'c> List<'c, '_> {
                 }
             }
         }
+    }
+
+    /// The given angles of inputs as they are written, by the index of the input, and as the mechanism has them.
+    fn angles(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let inputs = self.case.mechanism.inputs.iter().zip(&self.case.scene.input_units).enumerate();
+        inputs.filter_map(|(index, (input, units))| match input {
+            Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. } => {
+                Some((index, units.angle?, angle.value))
+            }
+            _ => None,
+        })
+    }
+
+    /// The input laid off from the other side, or with a point or a length of the skeleton that is handed in wrongly.
+    fn skeleton(&mut self) {
+        let angles: Vec<(usize, f64, f64)> = self.angles().collect();
+        for (input, _, angle) in angles {
+            let ways = [
+                ("counted from the other side", PLAIN, PI - angle),
+                ("counted clockwise", 0.5, -angle),
+                ("counted from the y axis", 1.0, FRAC_PI_2 - angle),
+            ];
+            for (how, price, other) in ways {
+                let change = Change::of_inputs(InputChange::Angle { input, by: other - angle });
+                let kind = (Kind::InputAngle, how.to_owned());
+                self.add_so(kind, "the input", None, price, change);
+            }
+        }
+        for (point, at) in self.case.misplaced() {
+            self.drawn_at_another_angle(point, at);
+            self.drawn_too_long(point, at);
+        }
+    }
+
+    /// A point of the driven link stands at another angle about its pivot.
+    fn drawn_at_another_angle(&mut self, point: PointId, at: [f64; 2]) {
+        let angles: Vec<(usize, f64, f64)> = self.angles().collect();
+        for (input, ..) in angles {
+            let (Input::Angle { link, .. } | Input::Speed { link, .. }) = self.case.mechanism.inputs[input]
+            else {
+                continue;
+            };
+            let points = &self.case.mechanism.link(link).points;
+            let Some(&pivot) = points.first().filter(|pivot| self.case.mechanism.is_fixed(**pivot)) else {
+                continue;
+            };
+            if !points.contains(&point) {
+                continue;
+            }
+            let (Some(base), Some(right)) = (self.place_of_joint(pivot), self.place_of_joint(point)) else {
+                continue;
+            };
+            let [own, right] = [difference(at, base), difference(right, base)];
+            let by =
+                libm::atan2(right[0] * own[1] - right[1] * own[0], right[0] * own[0] + right[1] * own[1]);
+            let name = self.case.mechanism.point(point).name.clone();
+            let how = format!(
+                "{name} stands {} too far {}",
+                degrees_of(by),
+                if by < 0.0 { "clockwise" } else { "counter-clockwise" }
+            );
+            let change = Change::of_inputs(InputChange::Angle { input, by });
+            self.add_so((Kind::InputAngle, how), "the input", None, UNUSUAL, change);
+        }
+    }
+
+    /// A link that ends at a point is as long as it is on the student's skeleton.
+    fn drawn_too_long(&mut self, point: PointId, at: [f64; 2]) {
+        for link in self.case.mechanism.moving() {
+            let points = self.case.mechanism.link(link).points.clone();
+            let Some(own) = points.iter().position(|known| *known == point) else { continue };
+            for (other, &end) in points.iter().enumerate().filter(|(other, _)| *other != own) {
+                let (Some(right), Some(from)) = (self.place_of_joint(end), self.place_of_joint(point)) else {
+                    continue;
+                };
+                let base = self.case.drawn_place(end).unwrap_or(right);
+                let [long, length] = [size(&difference(at, base)), size(&difference(from, right))];
+                let name = |id: PointId| self.case.mechanism.point(id).name.clone();
+                let at = format!("the length {}{}", name(end), name(point));
+                let unit = &self.case.scene.units.length;
+                let told = |metres: f64| super::text::digits(metres / unit.si, metres / unit.si / 100.0);
+                let how = format!("{} for {} {}", told(long), told(length), unit.symbol);
+                let ends = [own.min(other), own.max(other)];
+                let change = Change::of_inputs(InputChange::Length { link, ends, factor: long / length });
+                if length > 0.0
+                    && long > 0.0
+                    && change.mechanism(&self.case.mechanism).as_ref() != &self.case.mechanism
+                {
+                    self.add_so((Kind::LengthLaidOff, how), &at, None, UNUSUAL, change);
+                }
+            }
+        }
+    }
+
+    /// Where a joint stands on the drawing so far, metres.
+    fn place_of_joint(&self, point: PointId) -> Option<[f64; 2]> {
+        let at = self.construction.space.places.get(point.0).copied()??;
+        Some(at.map(|mm| mm * self.case.scales.length()))
     }
 
     /// Directions counted clockwise or from the y axis: every one, or one alone.
@@ -678,6 +784,22 @@ impl<'c> List<'c, '_> {
             self.add(Kind::PerpendicularForParallel, &at, Some(step), PLAIN, Change::drawn(vec![ray]));
             let both: Vec<Departure> = all.iter().filter(|r| r.0 == step).map(|r| r.2).collect();
             if both.len() > 1 && both[0] == ray {
+                // Of a slot the parallel and the square line are exchanged; the sense of a rotation by a velocity along
+                // its arm may be any.
+                let guided = both.iter().find_map(|departure| match *departure {
+                    Departure::Ray {
+                        claim:
+                            Claim::Parallel(Reference::Guide(slide))
+                            | Claim::Perpendicular(Reference::Guide(slide)),
+                        ..
+                    } => Some(self.case.mechanism.slides.get(slide)?.guide.link),
+                    _ => None,
+                });
+                if let Some(link) = guided {
+                    let turned = Departure::Rate { order, link, factor: -1.0 };
+                    let other = [&both[..], &[turned]].concat();
+                    self.add(Kind::PerpendicularForParallel, &at, Some(step), UNUSUAL, Change::drawn(other));
+                }
                 self.add(Kind::PerpendicularForParallel, &at, Some(step), UNUSUAL, Change::drawn(both));
             }
         }
@@ -1366,6 +1488,11 @@ pub(super) fn one_of(count: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "links and lengths are few")]
     let count = count.max(1) as f64;
     2.0 * libm::log(count)
+}
+
+/// An angle as people write it.
+fn degrees_of(angle: f64) -> String {
+    format!("{}°", super::text::digits(angle.to_degrees().abs(), 0.1))
 }
 
 /// Two lengths that differ by less than this part are one.

@@ -47,6 +47,8 @@ mod turned;
 mod weight;
 mod words;
 
+#[cfg(feature = "cli")]
+pub(crate) use answers::refuse_broken;
 pub use answers::{
     Answers, FigurePoints, Form, Given, Item, StatedScales, Tolerance, read_answers, read_named,
 };
@@ -72,12 +74,15 @@ pub use crate::tolerance::MAX_TOLERANCE;
 /// How to grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GradeSettings {
-    /// How exact a hand is expected, where the answers do not say it.
+    /// How exact a hand is expected.
     pub hand: Hand,
     /// How many draughtsmen draw it for the tolerances.
     pub draughtsmen: u64,
-    /// No tolerance is a larger part of the right value; a tolerance that the answers state is not capped.
+    /// No tolerance is a larger part of the right value.
     pub max_tolerance: f64,
+    /// Whether the `tolerance` of the answers counts, uncapped: only where the examiner wrote them himself, such as what a
+    /// textbook prints. Nobody sets the tolerance of what he hands in.
+    pub trusts_answers: bool,
     /// Whether marks are given by the parts of an exam's key: sense and direction have theirs.
     pub by_parts: bool,
 }
@@ -88,6 +93,7 @@ impl Default for GradeSettings {
             hand: Hand { length: 0.2, angle: 0.3_f64.to_radians() },
             draughtsmen: DRAUGHTSMEN,
             max_tolerance: MAX_TOLERANCE,
+            trusts_answers: false,
             by_parts: false,
         }
     }
@@ -145,7 +151,8 @@ pub fn grade_with_overlay(
         .enumerate()
         .map(|(place, graded)| {
             let fault = FirstFault { step: graded.step, name: &graded.name, mistakes: &graded.mistakes };
-            let told = report.symbols.plain(&fault.text());
+            // A caption has no raised and lowered letters.
+            let told = report.symbols.plain(&fault.text()).replace('_', "");
             if place == 0 { format!("First fault, {told}") } else { told }
         })
         .collect();

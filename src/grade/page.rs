@@ -44,7 +44,7 @@ impl Report {
             escaped(title),
             escaped(who),
         );
-        if let Some(note) = self.note() {
+        for note in self.notes() {
             let _ = writeln!(page, "<p>{}</p>", escaped(&note));
         }
         page.push_str(
@@ -57,6 +57,7 @@ impl Report {
             };
             let verdict = match (graded.verdict, graded.wrong_in()) {
                 (Verdict::Wrong, Some(part)) => format!("wrong: {part}"),
+                (verdict, _) if graded.charged => format!("{}, which costs its mark here", verdict.told()),
                 (verdict, _) => verdict.told().to_owned(),
             };
             let _ = writeln!(

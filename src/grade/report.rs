@@ -28,6 +28,8 @@ pub struct Report {
     /// By how much the drawing lies turned on its sheet, degrees counter-clockwise; it was turned back before it was
     /// compared.
     pub turned: Option<f64>,
+    /// Whether the answers state a `tolerance`, which did not count.
+    pub tolerances_ignored: bool,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -184,6 +186,7 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         marks,
         symbols: case.symbols(),
         turned: case.turns.told(),
+        tolerances_ignored: case.tolerances_ignored,
     }
 }
 
@@ -503,6 +506,9 @@ impl Report {
         });
         if let Some(turned) = self.turned {
             report["turned_deg"] = json!(turned);
+        }
+        if self.tolerances_ignored {
+            report["tolerances_ignored"] = json!(true);
         }
         if let Some(student) = &self.student {
             report["student"] = json!(student);

@@ -13,8 +13,9 @@ use super::steps;
 use crate::graphical::Sketch;
 use crate::graphical::construction::{Act, Calculation, Label};
 use crate::mechanism::cycle::CycleQuantity;
+use crate::mechanism::force::Party;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId, Rider};
 
 type Xy = [f64; 2];
 
@@ -237,6 +238,9 @@ impl Desk<'_, '_> {
             Quantity::Velocity(p) | Quantity::Acceleration(p) => {
                 ways.extend(self.images(target, p));
                 ways.extend(self.carried(target, p));
+                if let Quantity::Velocity(_) = target {
+                    ways.extend(self.by_centres(p));
+                }
             }
             Quantity::RelativeVelocity(to, from) => {
                 for link in self.links_of(to, from) {
@@ -298,6 +302,31 @@ impl Desk<'_, '_> {
         })
     }
 
+    /// Where the image of a point stands on the student's polygon, as far as that is known.
+    fn stands(&self, order: Order, point: PointId) -> Option<Own<Xy>> {
+        let label = Label::Image { point, link: None };
+        let at = |sketch: &Sketch| -> Option<Xy> {
+            let images = &polygon(&sketch.construction, order)?.images;
+            Some(images.iter().rev().find(|image| image.label == label)?.at)
+        };
+        let own = at(self.base)?;
+        let right = at(&self.case.right)?;
+        let wrong = size(&minus(own, right)) > MOVED * size(&right);
+        Some(Own { value: times(own, self.case.si_per_mm(order)), wrong })
+    }
+
+    /// ε of a link by the images of two of its points on the student's polygon.
+    fn alpha_in_base(&self, link: LinkId) -> Option<Own<f64>> {
+        let [from, to, ..] = self.case.mechanism.link(link).points[..] else { return None };
+        let image = |point: PointId| match self.case.mechanism.is_fixed(point) {
+            true => Some(Own::known([0.0; 2])),
+            false => self.stands(Order::Acceleration, point),
+        };
+        let arm = self.arm(from, to)?;
+        let square = arm[0] * arm[0] + arm[1] * arm[1];
+        Some(image(to)?.with(image(from)?, |to, from| cross(arm, minus(to, from)) / square))
+    }
+
     /// V of another point of the link and ω × l; A of it, ε × l and ω² l.
     fn carried(&self, target: Quantity, point: PointId) -> Vec<Own<Xy>> {
         let mut ways = Vec::new();
@@ -317,7 +346,8 @@ impl Desk<'_, '_> {
                     }
                     _ => {
                         let known = self.known(Quantity::Acceleration(from), from);
-                        let rates = omega.or_else(in_base).zip(self.scalar(Quantity::Alpha(link)));
+                        let alpha = self.scalar(Quantity::Alpha(link)).or_else(|| self.alpha_in_base(link));
+                        let rates = omega.or_else(in_base).zip(alpha);
                         ways.extend(known.zip(rates).map(|(a, (w, e))| {
                             let turned = w.with(e, |w, e| plus(times(left(arm), e), times(arm, -w * w)));
                             a.with(turned, plus)
@@ -350,6 +380,7 @@ impl Desk<'_, '_> {
             Quantity::Velocity(_) => self.vector(Quantity::Velocity(p)),
             _ => self.vector(Quantity::Acceleration(p)),
         };
+        let of = |p: PointId| of(p).or_else(|| self.stands(target.order(), p));
         let mut ways = Vec::new();
         for link in self.case.mechanism.moving() {
             let points = &self.case.mechanism.link(link).points;
@@ -456,7 +487,8 @@ impl Desk<'_, '_> {
     fn scalars(&self, target: Quantity) -> Vec<Own<f64>> {
         let two = |a: Quantity, b: Quantity| self.scalar(a).zip(self.scalar(b));
         match target {
-            Quantity::Omega(link) | Quantity::Alpha(link) => self.rates(target, link),
+            Quantity::Omega(link) => [self.rates(target, link), self.rates_by_centres(link)].concat(),
+            Quantity::Alpha(link) => self.rates(target, link),
             Quantity::RelativeOmega(i, j) => {
                 let both = two(Quantity::Omega(i), Quantity::Omega(j));
                 both.map(|(a, b)| a.with(b, |a, b| a - b)).into_iter().collect()
@@ -472,6 +504,77 @@ impl Desk<'_, '_> {
             Quantity::Cycle(of) => self.of_cycle(of),
             _ => Vec::new(),
         }
+    }
+
+    // --- instant centres -----------------------------------------------------------------------
+
+    /// The centre of two links, answered, or a joint of both.
+    fn centre(&self, one: LinkId, other: LinkId) -> Option<Own<Xy>> {
+        let centre = |a, b| self.vector(Quantity::Centre(a, b));
+        let mechanism = &self.case.mechanism;
+        let joint = || {
+            let points = &mechanism.link(one).points;
+            let shared = points.iter().find(|p| mechanism.link(other).points.contains(p))?;
+            let at = self.base.construction.space.places[shared.0]?;
+            Some(Own::known(times(at, self.case.si_per_mm(Order::Position))))
+        };
+        centre(one, other).or_else(|| centre(other, one)).or_else(joint)
+    }
+
+    /// Of each other link whose ω is known: that, its pole, and the centre that it shares with this link.
+    fn shared_centres(&self, link: LinkId) -> Vec<(Own<f64>, Own<Xy>, Own<Xy>)> {
+        let others = self.case.mechanism.moving().filter(|other| *other != link);
+        let known = |other: LinkId| {
+            let rate = self.scalar(Quantity::Omega(other))?;
+            Some((rate, self.centre(LinkId::FRAME, other)?, self.centre(other, link)?))
+        };
+        others.filter_map(known).collect()
+    }
+
+    /// V of a point by the rotation of its link about its pole, or, where the link only slides, as that of the centre that
+    /// it shares with another.
+    fn by_centres(&self, point: PointId) -> Vec<Own<Xy>> {
+        let mechanism = &self.case.mechanism;
+        let Some(at) = self.base.construction.space.places[point.0] else { return Vec::new() };
+        let at = times(at, self.case.si_per_mm(Order::Position));
+        let turned = |rate: Own<f64>, about: Own<Xy>, at: Xy| {
+            rate.with(about, move |rate, about| times(left(minus(at, about)), rate))
+        };
+        let mut ways = Vec::new();
+        for link in mechanism.moving().filter(|link| mechanism.link(*link).points.contains(&point)) {
+            let pole = self.centre(LinkId::FRAME, link);
+            let own = self.scalar(Quantity::Omega(link)).into_iter();
+            let rates: Vec<Own<f64>> = own.chain(self.rates_by_centres(link)).collect();
+            ways.extend(pole.iter().flat_map(|pole| rates.iter().map(|rate| turned(*rate, *pole, at))));
+            for (rate, pole, shared) in self.shared_centres(link) {
+                let carried = rate.with(pole, |rate, pole| (rate, pole));
+                let speed =
+                    carried.with(shared, |(rate, pole), shared| times(left(minus(shared, pole)), rate));
+                // It has the direction of the guide on which the link slides.
+                let slides = mechanism.slides.iter().any(|slide| {
+                    slide.guide.link == LinkId::FRAME && mechanism.party_of(&slide.rider) == Party::Link(link)
+                        || matches!(slide.rider, Rider::Pin { point: on, .. } if on == point)
+                });
+                ways.extend(slides.then_some(speed));
+            }
+        }
+        ways
+    }
+
+    /// ω by the distances of the centre that a link shares with another from the poles of both.
+    fn rates_by_centres(&self, link: LinkId) -> Vec<Own<f64>> {
+        let Some(pole) = self.centre(LinkId::FRAME, link) else { return Vec::new() };
+        let ratio = |(rate, other, shared): (Own<f64>, Own<Xy>, Own<Xy>)| {
+            let speed = rate.with(other, |rate, other| (rate, other));
+            let speed =
+                speed.with(shared, |(rate, other), shared| (times(minus(shared, other), rate), shared));
+            speed.with(pole, |(speed, shared), pole| {
+                let arm = minus(shared, pole);
+                let square = arm[0] * arm[0] + arm[1] * arm[1];
+                (speed[0] * arm[0] + speed[1] * arm[1]) / square
+            })
+        };
+        self.shared_centres(link).into_iter().map(ratio).filter(|own| own.value.is_finite()).collect()
     }
 
     /// What is reckoned from other numbers of a turning-moment diagram and what is given of it.
@@ -549,6 +652,9 @@ impl Desk<'_, '_> {
         ways
     }
 }
+
+/// An image that stands farther from where it should, as a part of its distance from the pole, is another one.
+const MOVED: f64 = 1e-6;
 
 /// V² / l toward the base of an arm.
 fn toward_base(arm: Xy, speed: f64) -> Xy {

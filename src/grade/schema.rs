@@ -92,7 +92,7 @@ pub fn schema() -> Value {
             },
             "tolerance": {
                 "type": "object", "additionalProperties": { "type": ["number", "string"] },
-                "description": "`length` and `angle`: how exact the hand is (0.2 mm, 0.3 deg). By the name of a quantity: its own tolerance.",
+                "description": "Of answers that the examiner wrote himself, such as a textbook's (`--trust-answers`); of what a student hands in it does not count. `length` and `angle`: how exact the hand is (0.2 mm, 0.3 deg). By the name of a quantity: its own tolerance.",
                 "examples": [{ "length": "0.2 mm", "angle": "0.3 deg", "v(B)": "3 %" }],
             },
         },

@@ -153,11 +153,14 @@ fn trimmed(number: &str) -> String {
 
 impl Report {
     /// What is told before all answers.
-    pub(super) fn note(&self) -> Option<String> {
-        let turned = self.turned?;
-        let sense = if turned < 0.0 { "clockwise" } else { "counter-clockwise" };
-        let by = digits(turned.abs(), 0.1);
-        Some(format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared."))
+    pub(super) fn notes(&self) -> Vec<String> {
+        let turned = self.turned.map(|turned| {
+            let sense = if turned < 0.0 { "clockwise" } else { "counter-clockwise" };
+            let by = digits(turned.abs(), 0.1);
+            format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared.")
+        });
+        let stated = "The tolerance that these answers state does not count: the examiner sets it.";
+        turned.into_iter().chain(self.tolerances_ignored.then(|| stated.to_owned())).collect()
     }
 
     /// The report as text.
@@ -167,7 +170,7 @@ impl Report {
         if let Some(student) = &self.student {
             let _ = writeln!(text, "{student}");
         }
-        if let Some(note) = self.note() {
+        for note in self.notes() {
             let _ = writeln!(text, "{note}");
         }
         let rows: Vec<[String; 3]> =

@@ -72,6 +72,11 @@ impl Mistake {
             Kind::DegAsRad => format!("{at}: degrees in the place of radians"),
             Kind::FigureTurned => format!("{at} is turned against the skeleton"),
             Kind::ScaleTwice => format!("{at}: multiplied by the scale factor twice"),
+            Kind::InputAngle => format!("{at} laid off at another angle"),
+            Kind::LengthLaidOff => format!("{at} laid off otherwise than given"),
+            Kind::FrictionLeftOut => format!("{at}: friction was left out"),
+            Kind::LoadElsewhere => format!("{at} laid off at another point"),
+            Kind::ParallelAxis => format!("{at}: not about the mass centre"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -175,6 +180,15 @@ impl Mistake {
                 "Draw the lines of a polygon by those of the skeleton, with two set squares."
             }
             Kind::ScaleTwice => "Multiply the millimetres that you read by the scale of that diagram, once.",
+            Kind::InputAngle => {
+                "Angles of the input count counter-clockwise from the x axis to the line from its first joint to its second."
+            }
+            Kind::LengthLaidOff => "Compare the lengths of your skeleton with the given ones at its scale.",
+            Kind::FrictionLeftOut => {
+                "With friction the force in a pin touches its friction circle, and that of a guide leans by φ against the sliding."
+            }
+            Kind::LoadElsewhere => "Look at which point of its link the load acts.",
+            Kind::ParallelAxis => "I about the mass centre is I about another point less M·d².",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }

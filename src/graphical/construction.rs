@@ -590,7 +590,7 @@ pub struct Transfer {
 }
 
 /// A point of the skeleton, or an instant centre.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Spot {
     /// A point of the mechanism.
     Point(PointId),

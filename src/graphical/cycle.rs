@@ -282,12 +282,11 @@ impl Diagram {
     fn sheet(&self, cycle: &Cycle, tape: &mut Tape) -> CycleSheet {
         let period = cycle.period.value;
         // What its bound cannot tell from zero is zero: the level at the end of a period is its beginning.
+        let marks: Vec<u32> = self.areas.iter().chain(&self.levels).map(|amount| amount.mark()).collect();
+        let mut judged = tape.judged(&marks).into_iter();
         let mut told = |amounts: &[Amount]| -> Vec<f64> {
-            let settled = |amount: &Amount| {
-                let value = amount.value();
-                if value.abs() > tape.bound(amount.mark()) { value } else { 0.0 }
-            };
-            amounts.iter().map(settled).collect()
+            let mut clear = |amount: &Amount| judged.next().is_some_and(|of| amount.value().abs() > of.bound);
+            amounts.iter().map(|amount| if clear(amount) { amount.value() } else { 0.0 }).collect()
         };
         let (areas, levels) = (told(&self.areas), told(&self.levels));
         let mut curves = [Vec::new(), Vec::new()];

@@ -125,18 +125,17 @@ impl Draughtsman<'_> {
         };
         let settled = match statement.standing {
             Standing::Stated | Standing::Hint | Standing::Driven => return Ok(stated),
-            Standing::Onto(locus) => match self.locus(&locus) {
-                Drawn::Line(line) => {
-                    let [along, _] = self.board.square_off(line, stated);
-                    self.board.lay_off(line.through, line.along, along)
+            Standing::Onto(locus) => self.brought_onto(&locus, stated),
+            Standing::AtMeet(loci) => match self.meet_loci(of, &loci, Some(stated.value()), false) {
+                // What holds the point besides only touches: along it the stated place tells where the point is.
+                Err(error @ DrawError::Unplaced { why: Unplaced::Touches | Unplaced::Apart, .. }) => {
+                    let on_first = self.brought_onto(&loci[0], stated);
+                    let on_second = self.brought_onto(&loci[1], on_first);
+                    self.is_at(of, on_second, on_first).map_err(|_| error)?;
+                    on_first
                 }
-                Drawn::Circle(circle) => {
-                    let reason = self.reason(&[]);
-                    let (along, _) = self.board.toward(circle.centre, stated, reason);
-                    self.board.lay_off(circle.centre, along, circle.radius)
-                }
+                met => met?,
             },
-            Standing::AtMeet(loci) => self.meet_loci(of, &loci, Some(stated.value()), false)?,
         };
         self.nothing_missing()?;
         // What is measured here is no part of the drawing.
@@ -144,6 +143,21 @@ impl Draughtsman<'_> {
         let agrees = self.is_at(of, settled, stated);
         self.board.tape().aside(false);
         agrees.map(|()| settled)
+    }
+
+    /// The point of a locus that is met square on from a place.
+    fn brought_onto(&mut self, locus: &Locus, from: Point) -> Point {
+        match self.locus(locus) {
+            Drawn::Line(line) => {
+                let [along, _] = self.board.square_off(line, from);
+                self.board.lay_off(line.through, line.along, along)
+            }
+            Drawn::Circle(circle) => {
+                let reason = self.reason(&[]);
+                let (along, _) = self.board.toward(circle.centre, from, reason);
+                self.board.lay_off(circle.centre, along, circle.radius)
+            }
+        }
     }
 
     /// Refuses a point that is stated beside where the rest of the scene puts it, by more than rounding and what the rooms of

@@ -1,15 +1,15 @@
 //! Points of a group that stands by given places: each where two of its loci meet, circles about points of its own links
 //! and guides of links that stand.
 
-use crate::board::Circle;
+use crate::board::{Circle, Direction};
 use crate::mechanism::quantity::Order;
-use crate::mechanism::{Form, LinkId, PointId, Roll};
+use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll, Slide};
 use crate::plan::GroupStep;
 
 use super::DrawError;
 use super::construction::Act;
 use super::draughtsman::Draughtsman;
-use super::pose::Track;
+use super::pose::{DEEPEST, Pose, Track};
 
 impl Draughtsman<'_> {
     /// Finds places from the given ones, link by link, whatever is driven: of a link that two points tell, or one and a
@@ -29,8 +29,10 @@ impl Draughtsman<'_> {
                 if self.stands_in_world(link) || self.poses[link.0].is_some() {
                     continue;
                 }
-                let stands =
-                    self.stands_alone(link) || self.pose_of(link).is_some() || self.stands_by_guide(link);
+                let stands = self.stands_alone(link)
+                    || self.pose_of(link).is_some()
+                    || self.stands_by_rides(link)
+                    || self.stands_by_guide(link);
                 if self.nothing_missing().is_err() || !stands {
                     self.poses[link.0] = None;
                     continue;
@@ -53,6 +55,42 @@ impl Draughtsman<'_> {
         }
         self.pricked.clone_from(&self.places);
         led
+    }
+
+    /// Lays on a link of which one point stands, where links that slide on each other without turning lead its direction
+    /// over from one that stands.
+    fn stands_by_rides(&mut self, link: LinkId) -> bool {
+        let points = self.mechanism.link(link).points.clone();
+        let Some(base) = points.into_iter().find(|p| self.places[p.0].is_some()) else { return false };
+        let Some((own_along, along)) = self.direction_by_rides(link, None, DEEPEST) else { return false };
+        let (own_anchor, anchor) = (self.own(link, base), self.at(base));
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        true
+    }
+
+    /// A direction of a link's own figure and where it points, by rides on links that stand or whose own direction is found
+    /// so; `come_by` is the ride by which it is asked for.
+    fn direction_by_rides(
+        &mut self,
+        link: LinkId,
+        come_by: Option<usize>,
+        deep: usize,
+    ) -> Option<(Direction, Direction)> {
+        if deep == 0 {
+            return None;
+        }
+        for (ride, other) in self.rides_of(link) {
+            if come_by == Some(ride) {
+                continue;
+            }
+            if self.stands_in_world(other) || self.pose_of(other).is_some() {
+                return Some(self.ride_directions(ride, link));
+            }
+            if let Some(found) = self.direction_by_rides(other, Some(ride), deep - 1) {
+                return self.ride_directions_by(ride, link, found);
+            }
+        }
+        None
     }
 
     /// Lays on a link of which one point stands, where its guide passes a rider that stands.
@@ -86,6 +124,7 @@ impl Draughtsman<'_> {
             let mut loci: Vec<Track> = self.guides_of(point);
             loci.extend(circles.into_iter().map(Track::Arc));
             loci.extend(self.contacts_of(point));
+            loci.extend(self.circles_about_driven(point).into_iter().map(Track::Arc));
             let &[first, second, ..] = loci.as_slice() else { continue };
             let links = self.mechanism.point(point).links.clone();
             let reason = self.reason(&links);
@@ -105,6 +144,28 @@ impl Draughtsman<'_> {
             return Ok(true);
         }
         Ok(false)
+    }
+
+    /// A circle about a rider that stands on a guide of a point's own link, where an input says how far along the guide
+    /// it is: in the link's own figure it is a point like any other.
+    fn circles_about_driven(&mut self, point: PointId) -> Vec<Circle> {
+        let mut circles = Vec::new();
+        for (input, driven) in self.mechanism.inputs.iter().enumerate() {
+            let &Input::Slide { slide, at: Some(way), .. } = driven else { continue };
+            let Slide { rider: Rider::Pin { point: pin, .. }, guide } = self.mechanism.slides[slide] else {
+                continue;
+            };
+            let carried = self.mechanism.link(guide.link).points.contains(&point);
+            let Some(centre) = self.places[pin.0].filter(|_| carried && pin != point) else { continue };
+            let Track::Straight(line) = self.own_track(slide, None) else { continue };
+            let way = self.board.input_amount(input, way);
+            let scale = self.length_scale();
+            let along = self.board.to_paper(way, scale);
+            let own_pin = self.board.lay_off(line.through, line.along, along);
+            let own = self.own(guide.link, point);
+            circles.push(Circle { centre, radius: self.board.distance(own_pin, own) });
+        }
+        circles
     }
 
     /// Circles about points of a point's own links that stand, and the links with these points.

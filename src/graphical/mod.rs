@@ -301,6 +301,9 @@ pub fn recorded<R: Real>(
     }))
 }
 
+/// A rough place from which a point stands so far, in sizes of the skeleton, does not hold.
+pub(crate) const FAR_FROM_HINT: f64 = 1.0 / 3.0;
+
 /// A place that is rounded in both coordinates lies so much farther off than what it contradicts is missed by, at most.
 const ROUNDED: f64 = 4.0;
 

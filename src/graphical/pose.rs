@@ -24,7 +24,7 @@ impl Clone for Pose {
 impl Copy for Pose {}
 
 /// Links that ride on links, and so on; deeper ones are not followed.
-const DEEPEST: usize = 8;
+pub(super) const DEEPEST: usize = 8;
 
 /// A guide on the skeleton.
 pub(super) enum Track {
@@ -111,22 +111,23 @@ impl Draughtsman<'_> {
             let own_along = if single { self.board.rightward() } else { self.own_line_of(link) };
             return Some((own_along, along));
         }
-        for ride in 0..self.mechanism.slides.len() {
-            let Slide { rider: Rider::Link { link: rider, turned: Some(_) }, guide } =
-                self.mechanism.slides[ride]
-            else {
-                continue;
-            };
-            let other = match (rider == link, guide.link == link) {
-                (true, _) => guide.link,
-                (_, true) => rider,
-                _ => continue,
-            };
+        for (ride, other) in self.rides_of(link) {
             if self.stands_in_world(other) || self.pose_by_places(other, deep - 1).is_some() {
                 return Some(self.ride_directions(ride, link));
             }
         }
         None
+    }
+
+    /// The slides by which a link slides on another without turning against it, with that other link.
+    pub(super) fn rides_of(&self, link: LinkId) -> Vec<(usize, LinkId)> {
+        let other = |slide: &Slide| match (slide.rider, slide.guide.link) {
+            (Rider::Link { link: rider, turned: Some(_) }, carrier) if rider == link => Some(carrier),
+            (Rider::Link { link: rider, turned: Some(_) }, carrier) if carrier == link => Some(rider),
+            _ => None,
+        };
+        let slides = self.mechanism.slides.iter().enumerate();
+        slides.filter_map(|(ride, slide)| Some((ride, other(slide)?))).collect()
     }
 
     /// The place of a point, as far as given places tell it before a step has found it.
@@ -367,6 +368,31 @@ impl Draughtsman<'_> {
         }
         let line = self.own_straight(&guide);
         (self.board.turned(line.along, by), self.carried(rider, own_x))
+    }
+
+    /// The same where nobody knows yet where the other link stands, only which way: a direction of its own figure, and where
+    /// that points on the skeleton.
+    pub(super) fn ride_directions_by(
+        &mut self,
+        slide: usize,
+        link: LinkId,
+        (own_along, along): (Direction, Direction),
+    ) -> Option<(Direction, Direction)> {
+        let Slide { rider: Rider::Link { link: rider, turned: Some(turned) }, guide } =
+            self.mechanism.slides[slide]
+        else {
+            return None;
+        };
+        let by = self.board.angle(turned);
+        let own_x = self.board.rightward();
+        let of_guide = self.own_straight(&guide).along;
+        let carried = if rider == link { of_guide } else { own_x };
+        let turn = self.board.angle_between(own_along, carried);
+        let carried = self.board.turned(along, turn);
+        Some(match rider == link {
+            true => (own_x, self.board.turned(carried, by)),
+            false => (self.board.turned(of_guide, by), carried),
+        })
     }
 
     /// The track of a point of a link that slides without turning against a solved one, or of a pin on a

@@ -87,6 +87,8 @@ fn draw_groups(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
 const HINT_TIE: f64 = 1e-9;
 /// Nor can two whose distances differ by less than this on paper, millimetres: rounding does.
 const HINT_FLOOR: f64 = 1e-12;
+/// A guide and an arc that cross at a smaller angle only touch, as far as a direction is read from it, radians.
+const TOUCHES: f64 = 1e-4;
 /// A guide is square to its link's x-axis where the cosine of their angle is no more than this.
 const SQUARE: f64 = 2e-6;
 
@@ -94,6 +96,23 @@ const SQUARE: f64 = 2e-6;
 /// metres, at a scale of metres per millimetre.
 pub(super) fn chooses(less: f64, more: f64, per_mm: f64) -> bool {
     more - less > HINT_TIE * (more + less) && more.sqrt() - less.sqrt() > HINT_FLOOR * per_mm
+}
+
+/// Whether a guide and an arc about a base only touch: they cross at next to no angle, or miss each other by no more than such
+/// curves do.
+fn touches(met: &Result<Pair, DrawError>) -> bool {
+    match met {
+        Ok(pair) => pair.crossing < TOUCHES,
+        Err(DrawError::CannotAssemble { why, .. }) => {
+            let (_, radius) = why.first;
+            let reaches = match why.second.1 {
+                Some(second) => [radius + second, (radius - second).abs()],
+                None => [radius, radius],
+            };
+            reaches.iter().any(|reach| (why.distance - reach).abs() <= TOUCHES * TOUCHES * radius)
+        }
+        Err(_) => false,
+    }
 }
 
 impl Draughtsman<'_> {
@@ -689,7 +708,7 @@ impl Draughtsman<'_> {
     }
 
     /// Square of the distance of a place on paper from a point's hint, in metres.
-    fn miss_of_hint(&self, point: PointId, at: [f64; 2]) -> Option<f64> {
+    pub(super) fn miss_of_hint(&self, point: PointId, at: [f64; 2]) -> Option<f64> {
         let origin = self.origin_of_space().map(|g| g.value);
         self.hint_of(point).map(|hint| {
             let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length() - hint[k]);
@@ -1158,15 +1177,28 @@ impl Draughtsman<'_> {
         } else {
             let track = self.own_track(slide, Some(pin));
             let circle = Circle { centre: own_anchor, radius: distance };
-            let pair = self.meet_track(track, circle, (lever, base), (slide, pin))?;
-            let side = if pair.tangent {
-                Side::First
-            } else {
-                self.choose_lever(lever, (own_anchor, at_base), along, pin, pair)?
-            };
-            let own_pin = self.board.take(pair, side);
-            let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
-            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
+            let met = self.meet_track(track, circle, (lever, base), (slide, pin));
+            let points = self.mechanism.link(lever).points.clone();
+            let placed = points.into_iter().find(|&p| p != base && self.given_place(p).is_some());
+            match (met, placed) {
+                // Where the pin is nearest to its base on the guide, a further place tells the lever's direction better.
+                (met, Some(far)) if touches(&met) => {
+                    self.prick_given(far);
+                    self.pose_by_points(lever, base, far);
+                    self.act(Act::MarkPlaces);
+                }
+                (met, _) => {
+                    let pair = met?;
+                    let side = if pair.tangent {
+                        Side::First
+                    } else {
+                        self.choose_lever(lever, (own_anchor, at_base), along, pin, pair)?
+                    };
+                    let own_pin = self.board.take(pair, side);
+                    let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
+                    self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
+                }
+            }
         }
         self.transfer_by_pose(step, lever);
         Ok(())

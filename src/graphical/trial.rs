@@ -24,13 +24,13 @@ use crate::mechanism::structure::{
 use crate::mechanism::{Form, Input, Link, LinkId, Mechanism, Path, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
-use super::DrawError;
 use super::construction::{Act, Label};
 use super::draughtsman::{Draughtsman, Images};
 use super::link_figure::given_lengths;
 use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::position::chooses;
+use super::{DrawError, FAR_FROM_HINT};
 
 /// Trial angles in a whole turn.
 const TRIALS: u32 = 720;
@@ -53,6 +53,8 @@ const TRIAL_VECTOR: f64 = 50.0;
 const MOST_ASSEMBLIES: usize = 32;
 /// Ways in which a group is tried, at most.
 const MOST_WAYS: usize = 6;
+/// Another way to try a group is taken for its rough places where it misses them by less than this part, in squares.
+const CLEARLY: f64 = 0.25;
 /// A rate below this part of the one that gives such a vector is too small to try others near it.
 const LEAST_RATE: f64 = 1e-3;
 
@@ -162,7 +164,9 @@ impl<'m> Draughtsman<'m> {
 
     // --- position ------------------------------------------------------------------------------
 
-    /// The skeleton of the group, by the first way to try it that leads to one.
+    /// The skeleton of the group, by the first way to try it that leads to one in which the rough places hold. Where they
+    /// hold in none, by the way that comes nearest to them: what one way drives cannot pass every assembly, as a pin that
+    /// rides on two guides stays where they cross while the one is turned, and runs along both where they are one.
     pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
         let before = self.skeleton();
         let first = self.trial(index);
@@ -172,8 +176,12 @@ impl<'m> Draughtsman<'m> {
             Err(DrawError::NoConstruction { .. } | DrawError::NoClosure { .. }) => true,
             Err(_) => false,
         };
+        let mut nearest: Option<(f64, Option<Trial>)> = None;
         if !fails(self, &drawn, &first) {
-            return drawn;
+            if drawn.is_err() || self.hints_hold(&first) {
+                return drawn;
+            }
+            nearest = Some((self.miss_of_hints(&first), None));
         }
         // What is searched through is limited: a group of many dyads is tried in one way only.
         let mut searched = assemblies(&first);
@@ -184,13 +192,49 @@ impl<'m> Draughtsman<'m> {
             }
             self.back_to(&before);
             let other = self.position_with(step, &trial);
-            if !fails(self, &other, &trial) {
+            if fails(self, &other, &trial) {
+                continue;
+            }
+            if nearest.is_none() && other.is_err() || other.is_ok() && self.hints_hold(&trial) {
                 self.ways.insert(index, trial);
                 return other;
             }
+            let miss = self.miss_of_hints(&trial);
+            if other.is_ok() && nearest.as_ref().is_none_or(|(least, _)| miss < CLEARLY * least) {
+                nearest = Some((miss, Some(trial)));
+            }
         }
         self.back_to(&before);
-        self.position_with(step, &first)
+        match nearest {
+            Some((_, Some(trial))) => {
+                let drawn = self.position_with(step, &trial);
+                self.ways.insert(index, trial);
+                drawn
+            }
+            _ => self.position_with(step, &first),
+        }
+    }
+
+    /// Squares of the distances of a group's points from their rough places, metres.
+    fn misses_of_hints(&self, trial: &Trial) -> Vec<f64> {
+        let stands = |point: PointId| self.miss_of_hint(point, self.places[point.0]?.value());
+        self.points_of(trial).into_iter().filter_map(stands).collect()
+    }
+
+    /// By how much the points of a group miss their rough places together.
+    fn miss_of_hints(&self, trial: &Trial) -> f64 {
+        self.misses_of_hints(trial).iter().sum()
+    }
+
+    /// Whether no point of a group stands far from its rough place, for the size of what is drawn.
+    fn hints_hold(&self, trial: &Trial) -> bool {
+        let places: Vec<[f64; 2]> = self.places.iter().flatten().map(|at| at.value()).collect();
+        let extent = |axis: usize| {
+            let all = || places.iter().map(|at| at[axis]);
+            all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+        };
+        let far = FAR_FROM_HINT * libm::hypot(extent(0), extent(1)) * self.scales.length();
+        self.misses_of_hints(trial).iter().all(|miss| *miss <= far * far)
     }
 
     fn position_with(&mut self, step: &GroupStep, trial: &Trial) -> Result<(), DrawError> {

@@ -32,6 +32,8 @@ const BORDER: f64 = 13.0;
 const COUNTED: usize = 95;
 /// A panel grows to this for what a layer adds to its skeleton, mm.
 const LARGEST: (f64, f64) = (160.0, 150.0);
+/// A polygon that could be so many times larger is too small to be read.
+const SMALLEST_PART: f64 = 4.0;
 /// A vector that is shorter has no name now, mm.
 const SHORTEST_NAMED: f64 = 4.0;
 
@@ -74,6 +76,8 @@ struct Placed {
     id: String,
     anchors: Anchors,
     by: Vec<Vec2>,
+    /// Half its width and height.
+    half: Vec2,
     step: Option<usize>,
     /// It stands while the output of this index is known and not zero.
     output: Option<usize>,
@@ -87,6 +91,8 @@ struct Placed {
 pub(super) struct Diagrams {
     pub(super) panels: Vec<Panel>,
     drawn: Drawn,
+    /// The page opens with polygons that are fitted to each position; names are placed for that.
+    pub(super) refit: bool,
 }
 
 /// Numbers of one position, by column.
@@ -140,12 +146,25 @@ impl Diagrams {
         let layers: Vec<Sketch> = (0..drawn.layers.first().map_or(0, Vec::len))
             .filter_map(|layer| Some(with_centres(sketches.first()?, layer, construction, sweep)))
             .collect();
-        let mut panels: Vec<Panel> = Vec::new();
+        let mut drafted: Vec<(Panel, Vec<Spotted>)> = Vec::new();
         for sketch in sketches.into_iter().chain(layers) {
-            panels.extend(panel(panels.len(), sketch, (scene, sweep), &drawn, (&course, &start), scales));
+            drafted.extend(panel(drafted.len(), sketch, (scene, sweep), &drawn, (&course, &start), scales));
         }
+        let is_small = |(panel, _): &(Panel, Vec<Spotted>)| panel.is_small(&course, &start);
+        let refit = scene.sheet.live.refit.unwrap_or_else(|| drafted.iter().any(is_small));
+        let place = |(index, (mut panel, spots)): (usize, (Panel, Vec<Spotted>))| {
+            place_names(&mut panel, index, spots, (&course, &start), sweep.whole_turn, refit);
+            panel
+        };
+        let mut panels: Vec<Panel> = drafted.into_iter().enumerate().map(place).collect();
         panels.extend(drawn.circle.as_ref().map(|(ink, title)| circle(ink, title)));
-        Ok(Self { panels, drawn })
+        Ok(Self { panels, drawn, refit })
+    }
+
+    /// Whether anything moves as only what is drawn over a skeleton does.
+    pub(super) fn has_layers(&self) -> bool {
+        let is_layer = |moving: &Moving| matches!(moving.by, Move::Through(..) | Move::Round(..));
+        self.panels.iter().any(|panel| panel.moving.iter().any(is_layer))
     }
 
     /// What is said of the steps, with what their numbers hang on.
@@ -525,8 +544,38 @@ fn of_kind<T>(all: &[(DiagramKind, T)], kind: DiagramKind) -> Option<&T> {
 
 impl Panel {
     fn seen(&self, numbers: &Numbers) -> Seen {
+        self.seen_at(numbers, self.si_per_mm)
+    }
+
+    /// The scale that fits a polygon to one position, by the rule for one position.
+    fn fitted(&self, numbers: &Numbers) -> Option<f64> {
+        if self.kind == DiagramKind::Skeleton {
+            return None;
+        }
+        let part = |x: f64, low: f64, high: f64| match x {
+            0.0 => 0.0,
+            x if x > 0.0 => x / (high - BORDER),
+            x => x / (low + BORDER),
+        };
+        let seen = self.seen_at(numbers, 1.0);
+        let parts = seen.places.iter().flatten().flat_map(|at| {
+            [part(at.x, self.shown.x0, self.shown.x1), part(at.y, self.shown.y0, self.shown.y1)]
+        });
+        let unit = self.unit.si / 10.0;
+        Some(scale::round_up(parts.fold(0.0, f64::max) / unit)? * unit)
+    }
+
+    /// Whether a polygon is too small to be read at the scale of the course: at the scene's own position, or in most.
+    fn is_small(&self, course: &[Numbers], start: &Numbers) -> bool {
+        let is_small = |numbers: &&Numbers| {
+            self.fitted(numbers).is_some_and(|fitted| fitted * SMALLEST_PART <= self.si_per_mm)
+        };
+        is_small(&start) || 2 * course.iter().filter(is_small).count() > course.len()
+    }
+
+    fn seen_at(&self, numbers: &Numbers, si_per_mm: f64) -> Seen {
         let page = |at: [f64; 2]| {
-            let [x, y] = [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.si_per_mm);
+            let [x, y] = [0, 1].map(|axis| (at[axis] - self.origin[axis]) / si_per_mm);
             let at = Point::new(x, -y);
             at.is_finite().then_some(at)
         };
@@ -571,9 +620,11 @@ impl Placed {
             now.iter().zip(last).for_each(|(now, last)| coded(now - last, &mut by));
             last = now;
         }
+        let half = [self.half.x, self.half.y].map(|x| (x * 100.0).round() / 100.0);
         let by = shortened(&by);
         let mut label = json!({
             "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step,
+            "half": half,
         });
         if !self.of.is_empty() {
             label["of"] = json!(self.of);
@@ -622,7 +673,7 @@ fn panel(
     drawn: &Drawn,
     (course, start): (&[Numbers], &Numbers),
     scales: Scales,
-) -> Option<Panel> {
+) -> Option<(Panel, Vec<Spotted>)> {
     let kind = sketch.kind;
     let si_per_mm = scales.of(kind.dimension());
     let own: Vec<&Drawing> =
@@ -664,8 +715,7 @@ fn panel(
         spots.extend(names_of_polygon(polygon, &sketch.labels, &panel, &drawn.names));
     }
     panel.shown = shown(&panel, course, start);
-    place_names(&mut panel, index, spots, course, start, sweep.whole_turn);
-    Some(panel)
+    Some((panel, spots))
 }
 
 /// What of the plane is shown: everything over the course, of a polygon as far as its scale counts.
@@ -1312,13 +1362,14 @@ fn place_names(
     panel: &mut Panel,
     index: usize,
     spots: Vec<Spotted>,
-    course: &[Numbers],
-    start: &Numbers,
+    (course, start): (&[Numbers], &Numbers),
     cyclic: bool,
+    refit: bool,
 ) {
     let home = panel.seen(start);
     let frame = |numbers: &Numbers| {
-        let seen = panel.seen(numbers);
+        let fitted = if refit { panel.fitted(numbers) } else { None };
+        let seen = panel.seen_at(numbers, fitted.unwrap_or(panel.si_per_mm));
         let mut ink = Group::new("moved");
         for moving in &panel.moving {
             let visible = moving.sense.is_none_or(|(output, positive)| {
@@ -1351,11 +1402,11 @@ fn place_names(
     for (number, (spot, by)) in spots.into_iter().zip(ways).enumerate() {
         let Spotted { name, anchors, step, output } = spot;
         let id = format!("d{index}n{number}");
-        let (mut ink, _) = name.ink();
+        let (mut ink, half) = name.ink();
         ink.id = Some(id.clone());
         labels.group(ink);
         let is_of_point = matches!(name.class(), "label point-name" | "label image-name");
-        placed.push(Placed { id, anchors, by, step, output, of: name.of().to_vec(), is_of_point });
+        placed.push(Placed { id, anchors, by, half, step, output, of: name.of().to_vec(), is_of_point });
     }
     panel.ink.group(labels);
     panel.names = placed;

@@ -6,35 +6,54 @@ use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
 use crate::mechanism::LinkId;
-use crate::mechanism::quantity::{Asked, Quantity};
+use crate::mechanism::quantity::{Asked, Quantity, Unit};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
-use crate::sheet::figure::Figure;
-use crate::sheet::moving::{self, Draughts};
+use crate::sheet::figure::{Figure, Group, Node};
+use crate::sheet::moving::{self, Draughts, Said};
 use crate::sheet::{Language, Part, prompt};
 use crate::solve::Solved;
 use crate::sweep::{InputKind, Sweep};
 
 /// The scripts, in the order in which they are joined.
-const SCRIPTS: [&str; 11] = [
+const SCRIPTS: [&str; 25] = [
     include_str!("page/libm.js"),
     include_str!("page/program.js"),
     include_str!("page/numbers.js"),
     include_str!("page/course.js"),
     ENTRY,
-    include_str!("page/text.js"),
+    TEXT,
     include_str!("page/ink.js"),
     include_str!("page/values.js"),
     include_str!("page/trace.js"),
     include_str!("page/drag.js"),
+    SAVE,
+    include_str!("page/page.js"),
+    include_str!("page/diagrams.js"),
+    include_str!("page/playing.js"),
+    include_str!("page/travel.js"),
+    include_str!("page/hand.js"),
+    include_str!("page/light.js"),
+    include_str!("page/table.js"),
+    include_str!("page/steps.js"),
+    include_str!("page/place.js"),
+    include_str!("page/curves.js"),
+    include_str!("page/choices.js"),
+    include_str!("page/out.js"),
+    include_str!("page/keys.js"),
     include_str!("page/app.js"),
 ];
 /// What a drawing needs besides in which something is found by trial.
 const TRIAL: &str = include_str!("page/trial.js");
+/// What it needs over whose skeleton centres or constructions are drawn.
+const LAYERS: &str = include_str!("page/layers.js");
 const STYLE: &str = include_str!("page/page.css");
 const ENTRY: &str = include_str!("page/entry.js");
+const TEXT: &str = include_str!("page/text.js");
+const SAVE: &str = include_str!("page/save.js");
 /// Of a page that does not move.
 const SWITCH: &str = include_str!("page/switch.js");
+const STILL: &str = include_str!("page/still.js");
 const QUESTION: &str = include_str!("page/question.js");
 
 /// Characters that numbers may need besides those of the sheet.
@@ -88,22 +107,54 @@ pub fn page(
             diagrams.said(live.sweep(), input, *language)
         });
         let sweep = moving.as_ref().ok().map(|(live, _)| live.sweep());
-        let own = text(scene, &draughts, *language, (panels, steps.unwrap_or_default()), sweep);
+        let steps = steps.unwrap_or_else(|| draughts.said().iter().map(step).collect());
+        let own = text(scene, &draughts, *language, (panels, steps), sweep);
         texts.insert(language.words().tag.to_owned(), own);
     }
     data["texts"] = Value::Object(texts);
-    data["seconds"] = json!(options.seconds);
+    let wished = &scene.sheet.live;
+    data["seconds"] = json!(wished.play_seconds.unwrap_or(options.seconds));
+    let traces = wished.traces.iter().map(|point| &scene.mechanism.point(*point).name);
+    data["opens"] = json!({
+        "traces": traces.collect::<Vec<_>>(), "diagrams": wished.diagrams,
+        "refit": moving.as_ref().is_ok_and(|(_, diagrams)| diagrams.refit),
+    });
     if let Ok((live, _)) = &moving {
-        data["rows"] = json!(rows(live, &scene.mechanism.asked));
-        data["quantities"] = quantities(scene, live);
+        let quantities = quantities(scene, live);
+        data["rows"] = json!(rows(live, &scene.mechanism.asked, &quantities));
+        data["quantities"] = quantities.into();
     }
-    let tries = moving.as_ref().is_ok_and(|(live, _)| live.sweep().tries());
-    let script = match (still.is_some(), tries) {
-        (true, _) => joined(&[SWITCH]),
-        (_, true) => joined(&with_trials()),
-        _ => joined(&SCRIPTS),
+    let script = match &moving {
+        Err(_) => joined(&[SWITCH, TEXT, STILL]),
+        Ok((live, diagrams)) => {
+            let besides = [(live.sweep().tries(), TRIAL), (diagrams.has_layers(), LAYERS)];
+            let besides = besides.iter().filter(|(needed, _)| *needed).map(|(_, script)| *script);
+            joined(&besides.fold(SCRIPTS.to_vec(), with))
+        }
     };
     Ok((document(scene, options, &panels, &script, Some(&data), still.as_deref()), still))
+}
+
+/// What is said of a step of a page that does not move.
+fn step(said: &Said) -> Value {
+    json!({ "step": said.step, "head": said.head, "equations": said.equations, "sentences": said.sentences })
+}
+
+/// A figure whose ink tells in which step it was drawn.
+fn stepped(figure: &Figure) -> Figure {
+    fn tell(group: &mut Group) {
+        if let Some(life) = group.life {
+            group.data.push(("step", life.born.step.to_string()));
+        }
+        for node in &mut group.children {
+            if let Node::Group(own) = node {
+                tell(own);
+            }
+        }
+    }
+    let mut figure = figure.clone();
+    tell(&mut figure.root);
+    figure
 }
 
 /// The page of a question: what the question sheet shows, and fields for the answers. Nothing of the solution is in it.
@@ -143,7 +194,7 @@ pub fn question(scene: &Scene, options: &Options) -> String {
         said(&|own| own.not_read),
         said(&|own| own.denied),
     ));
-    let script = joined(&[SWITCH, ENTRY, QUESTION]);
+    let script = joined(&[SWITCH, ENTRY, SAVE, QUESTION]);
     document(scene, options, &fields, &script, None, None)
 }
 
@@ -201,18 +252,19 @@ fn kind(quantity: Quantity) -> &'static str {
     }
 }
 
-/// The same of one with so many numbers: what else is called a vector may have but one.
-fn told(quantity: Quantity, numbers: usize) -> &'static str {
-    match kind(quantity) {
-        "vector" if numbers == 1 => "number",
+/// How a quantity is told that has these outputs: what else is called a vector may have but one.
+fn told(quantity: Quantity, outputs: &[usize], unit: &Unit) -> Value {
+    let kind = match kind(quantity) {
+        "vector" if outputs.len() == 1 => "number",
         kind => kind,
-    }
+    };
+    json!({ "kind": kind, "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si })
 }
 
-/// The scripts of a page in which something is found by trial.
-fn with_trials() -> Vec<&'static str> {
-    let [evaluator @ .., app] = SCRIPTS;
-    evaluator.into_iter().chain([TRIAL, app]).collect()
+/// Scripts with one more, before the last, which begins.
+fn with<'s>(mut scripts: Vec<&'s str>, one: &'s str) -> Vec<&'s str> {
+    scripts.insert(scripts.len() - 1, one);
+    scripts
 }
 
 /// The scripts as one, in a scope of its own, without their comments.
@@ -258,11 +310,14 @@ fn lean(svg: &str) -> String {
         out.push_str(text);
     }
     let out = hatched_at_once(&out.replace(">\n<", "><"));
-    let out = out.replace("#000000", "#000").replace("#ffffff", "#fff").replace(" class=\"sentence\"", "");
-    let out = out.replace(" class=\"hatch\"", "").replace(" class=\"label vector-name\"", "");
+    let out = out.replace("#000000", "#000").replace("#ffffff", "#fff");
     // Said once in the style of the page.
     let out = out.replace(" fill=\"none\" stroke=\"#000\"", "");
-    without_data(&out)
+    let styled = |class: &str| STYLED.iter().any(|known| class.split(' ').any(|own| own == *known));
+    let out = without(&out, &|name, value| {
+        (name.starts_with("data-") && name != "data-step") || (name == "class" && !styled(value))
+    });
+    out.replace("<g/>", "")
 }
 
 /// Strokes of a hatch that follow each other and are drawn alike, as one path.
@@ -294,25 +349,39 @@ fn hatched_at_once(markup: &str) -> String {
     out
 }
 
-/// Markup without its `data-` attributes, which are for those who read the moving diagrams.
-fn without_data(markup: &str) -> String {
+/// Classes of a sheet that the style of the page names.
+const STYLED: [&str; 2] = ["velocity", "acceleration"];
+
+/// Markup without some of its attributes, which are told by name and value.
+fn without(markup: &str, is_left_out: &dyn Fn(&str, &str) -> bool) -> String {
     let mut out = String::with_capacity(markup.len());
-    let mut rest = markup;
-    while let Some((before, after)) = rest.split_once(" data-") {
-        let value = after.split_once("=\"").and_then(|(name, value)| {
-            let is_name = name.chars().all(|c| c.is_ascii_lowercase() || c == '-');
-            value.split_once('"').filter(|_| is_name)
-        });
-        out.push_str(before);
-        match value {
-            Some((_, after)) => rest = after,
-            None => {
-                out.push_str(" data-");
-                rest = after;
-            }
+    let mut is_tag = false;
+    for piece in markup.split_inclusive(['<', '>']) {
+        if !is_tag {
+            out.push_str(piece);
+            is_tag = piece.ends_with('<');
+            continue;
         }
+        is_tag = false;
+        let mut rest = piece;
+        while let Some((before, after)) = rest.split_once(' ') {
+            out.push_str(before);
+            let attribute = after.split_once("=\"").and_then(|(name, value)| {
+                let (value, rest) = value.split_once('"')?;
+                Some((name, value, rest))
+            });
+            let Some((name, value, after)) = attribute else {
+                out.push(' ');
+                rest = after;
+                continue;
+            };
+            if !is_left_out(name, value) {
+                out.push_str(&format!(" {name}=\"{value}\""));
+            }
+            rest = after;
+        }
+        out.push_str(rest);
     }
-    out.push_str(rest);
     out
 }
 
@@ -392,7 +461,10 @@ fn document(
             // On its own, so that it never interferes with what moves.
             format!(
                 "<div class=\"sheet\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>",
-                lean(&svg::write(figure))
+                match still {
+                    Some(_) => lean(&svg::write(&stepped(figure))),
+                    None => lean(&svg::write(figure)),
+                }
             )
         })
         .collect();
@@ -457,12 +529,18 @@ fn text(
             _ => isolated(&draughts.scale(panel.kind.dimension(), panel.si_per_mm), language),
         })
         .collect();
-    let symbols: Vec<String> =
-        scene.mechanism.asked.iter().map(|asked| draughts.symbol(asked.quantity)).collect();
-    let mut terms: serde_json::Map<String, Value> =
-        draughts.terms().into_iter().map(|(symbol, name)| (symbol, Value::from(name))).collect();
-    for quantity in scene.mechanism.moving().flat_map(|link| [Quantity::Omega(link), Quantity::Alpha(link)]) {
-        terms.insert(draughts.symbol(quantity), Value::from(draughts.quantity_name(quantity)));
+    let mut symbols = serde_json::Map::new();
+    for asked in &scene.mechanism.asked {
+        symbols.insert(asked.name.clone(), draughts.symbol(asked.quantity).into());
+    }
+    // Terms of equations that are written otherwise than the quantity by itself.
+    let mut terms = serde_json::Map::new();
+    let turning = scene.mechanism.moving().flat_map(|link| [Quantity::Omega(link), Quantity::Alpha(link)]);
+    let turning = turning.map(|quantity| (draughts.symbol(quantity), draughts.quantity_name(quantity)));
+    for (symbol, name) in draughts.terms().into_iter().chain(turning) {
+        if *symbols.entry(name.clone()).or_insert_with(|| symbol.clone().into()) != symbol {
+            terms.insert(symbol, name.into());
+        }
     }
     let scale = language.words().scale;
     json!({
@@ -492,8 +570,8 @@ fn isolated(text: &str, language: Language) -> String {
     }
 }
 
-/// The rows of the table of values: what was asked.
-fn rows(live: &Live<'_>, asked: &[Asked]) -> Vec<Value> {
+/// The rows of the table of values: what was asked, by name where it is told as the quantity of that name is.
+fn rows(live: &Live<'_>, asked: &[Asked], quantities: &serde_json::Map<String, Value>) -> Vec<Value> {
     let columns = &live.sweep().columns;
     asked
         .iter()
@@ -505,10 +583,13 @@ fn rows(live: &Live<'_>, asked: &[Asked]) -> Vec<Value> {
                 Some(scalar) => vec![scalar],
                 None => [of(Some(0)), of(Some(1))].into_iter().flatten().collect(),
             };
-            json!({
-                "name": asked.name, "kind": told(asked.quantity, outputs.len()), "outputs": outputs,
-                "unit": moving::unit(&asked.unit.symbol), "si": asked.unit.si,
-            })
+            let mut row = told(asked.quantity, &outputs, &asked.unit);
+            let same = |known: &Value| ["outputs", "unit"].iter().all(|key| known[key] == row[key]);
+            if quantities.get(&asked.name).is_some_and(same) {
+                return json!(asked.name);
+            }
+            row["name"] = json!(asked.name);
+            row
         })
         .collect()
 }
@@ -529,21 +610,18 @@ fn link_of(scene: &Scene, quantity: Quantity) -> Option<LinkId> {
 }
 
 /// Everything that is shown, by the name that the ink calls it.
-fn quantities(scene: &Scene, live: &Live<'_>) -> Value {
+fn quantities(scene: &Scene, live: &Live<'_>) -> serde_json::Map<String, Value> {
     let mut all = serde_json::Map::new();
     for (index, column) in live.sweep().columns.iter().enumerate() {
         if column.axis == Some(1) {
             continue;
         }
         let outputs: Vec<usize> = if column.axis.is_some() { vec![index, index + 1] } else { vec![index] };
-        let unit = &column.asked.unit;
-        let mut told = json!({
-            "kind": told(column.asked.quantity, outputs.len()), "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si,
-        });
+        let mut told = told(column.asked.quantity, &outputs, &column.asked.unit);
         if let Some(link) = link_of(scene, column.asked.quantity) {
             told["link"] = json!(scene.mechanism.link(link).number);
         }
         all.entry(live.name_in_ink(column.asked.quantity)).or_insert(told);
     }
-    Value::Object(all)
+    all
 }

@@ -6,12 +6,22 @@
 
 use serde_json::{Value, json};
 
+use crate::graphical::is_a_point;
 use crate::mechanism::quantity::Quantity;
 use crate::sheet::moving::{self, Said};
 use crate::sweep::Sweep;
 
 /// More figures than this no factor of a line has.
 const GUARDS: usize = 4;
+
+/// Whether two texts say the same but for numbers and senses.
+fn alike(one: &[Token], other: &[Token]) -> bool {
+    let same = |(one, other): (&Token, &Token)| match (one, other) {
+        (Token::Words(one), Token::Words(other)) => one == other,
+        _ => std::mem::discriminant(one) == std::mem::discriminant(other),
+    };
+    one.len() == other.len() && one.iter().zip(other).all(same)
+}
 
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,6 +76,45 @@ struct Candidate {
 
 /// A panel, its SI units for a millimetre, and whether a quantity is drawn on its paper.
 pub(super) type Paper<'a> = (usize, f64, &'a dyn Fn(Quantity) -> bool);
+
+/// The length of a vector on the paper of a panel.
+#[derive(Debug, Clone, Copy)]
+struct OnPaper {
+    panel: usize,
+    si_per_mm: f64,
+    output: usize,
+}
+
+/// A length that is read off a paper in a text: its piece, and how it is printed in the positions.
+struct Reading<'a> {
+    on: OnPaper,
+    piece: usize,
+    printed: Vec<&'a str>,
+    /// SI units of the unit of what is read, once the scale by which it is multiplied has stood there.
+    si: Option<f64>,
+}
+
+/// The code of a number that is read off a paper, with its amount; of the amount, and of the scale between them.
+const READ: u32 = 9;
+const AMOUNT: u32 = 7;
+const FACTOR: u32 = 8;
+
+/// A text is bound by no fewer positions than this.
+const ENOUGH: usize = 3;
+
+/// A number as it stands in a text without a power of ten.
+fn number_of(text: &str) -> Option<f64> {
+    text.replace('\u{2009}', "").replace('−', "-").parse().ok()
+}
+
+/// Whether a number is printed so; one of three figures and more, but for one of its last place.
+fn rounds_to(text: &str, value: f64) -> bool {
+    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let place = libm::exp10(-(decimals as f64));
+    let is_long = text.chars().filter(char::is_ascii_digit).count() >= 3;
+    is_long && number_of(text).is_some_and(|number| (number - value).abs() <= 1.001 * place)
+        || (0..=GUARDS).any(|more| moving::printed(value, more) == text)
+}
 
 /// Everything that can be printed.
 #[derive(Debug)]
@@ -131,21 +180,56 @@ impl Printed {
         Self { all, senses }
     }
 
-    /// What stands in the place of a number that is printed so in the positions.
-    fn bound(&self, printed: &[&str]) -> Option<(Value, Option<(usize, f64)>)> {
+    /// What stands in the place of a number that is printed so in some of the positions, the scene's own first: there to the
+    /// last figure, elsewhere but for what rounding on the way has made of that.
+    fn bound(&self, printed: &[&str], at: &[usize]) -> Option<(Value, Option<OnPaper>)> {
+        let (own, others) = printed.split_first()?;
         let more = |candidate: &Candidate| {
-            let each = candidate.values.iter().zip(printed).map(|(value, text)| match candidate.form {
-                Form::OnPaper => (1..=2).find(|decimals| moving::printed_mm(*value, *decimals) == *text),
-                Form::Direction => (moving::printed_degrees(*value) == *text).then_some(0),
-                Form::Input => (moving::printed_stated(*value) == *text).then_some(0),
-                _ => (0..=GUARDS).find(|more| moving::printed(*value, *more) == *text),
-            });
-            each.collect::<Option<Vec<usize>>>().and_then(|all| all.into_iter().max())
+            let values = || at.iter().map(|index| candidate.values[*index]);
+            let first = values().next()?;
+            let is = |text: &str, value: f64, more: usize| match candidate.form {
+                Form::OnPaper => moving::printed_mm(value, more) == text,
+                Form::Direction => moving::printed_degrees(value) == text,
+                Form::Input => moving::printed_stated(value) == text,
+                Form::Length => {
+                    moving::printed(value, more) == text
+                        || self.as_read(candidate.output, candidate.si, at[0], text)
+                }
+                Form::Size | Form::Signed => moving::printed(value, more) == text,
+            };
+            let figures = match candidate.form {
+                Form::OnPaper => 1..=2,
+                Form::Direction | Form::Input => 0..=0,
+                _ => 0..=GUARDS,
+            };
+            let more = figures.clone().find(|more| is(own, first, *more))?;
+            let rounded = |((text, value), place): ((&&str, f64), &usize)| match candidate.form {
+                Form::Size | Form::Signed => rounds_to(text, value),
+                Form::Length => {
+                    rounds_to(text, value) || self.as_read(candidate.output, candidate.si, *place, text)
+                }
+                _ => figures.clone().any(|more| is(text, value, more)),
+            };
+            others.iter().zip(values().skip(1)).zip(&at[1..]).all(rounded).then_some(more)
         };
         self.all.iter().find_map(|candidate| {
             let more = more(candidate)?;
             let Candidate { form, output, si, panel, .. } = candidate;
-            Some((json!([form.code(), output, si, more, panel]), panel.map(|panel| (panel, *si))))
+            let piece = json!([form.code(), output, si, more, panel]);
+            Some((piece, panel.map(|panel| OnPaper { panel, si_per_mm: *si, output: *output })))
+        })
+    }
+
+    /// Whether a text is what the scale makes of a vector as it is read off its paper in a position.
+    fn as_read(&self, output: usize, si: f64, at: usize, text: &str) -> bool {
+        let mut papers = self.all.iter().filter(|c| c.form == Form::OnPaper && c.output == output);
+        papers.any(|paper| {
+            (1..=2).any(|decimals| {
+                let read = moving::printed_mm(paper.values[at], decimals)
+                    .parse::<f64>()
+                    .map(|mm| mm * paper.si / si);
+                read.is_ok_and(|read| (0..=GUARDS).any(|more| moving::printed(read, more) == text))
+            })
         })
     }
 
@@ -196,8 +280,14 @@ impl Printed {
     fn text(&self, printed: &[&str], of_an_instant: &[String]) -> Value {
         let Some(first) = printed.first() else { return json!("") };
         let own = || json!({ "own": first });
-        let all: Vec<Vec<Token>> = printed.iter().map(|text| self.tokens(text)).collect();
-        let one = &all[0];
+        let tokens: Vec<Vec<Token>> = printed.iter().map(|text| self.tokens(text)).collect();
+        // Where it is said in other words, too: there this one is not.
+        let (at, elsewhere): (Vec<usize>, Vec<usize>) =
+            (0..tokens.len()).partition(|index| alike(&tokens[0], &tokens[*index]));
+        let all: Vec<&Vec<Token>> = at.iter().map(|index| &tokens[*index]).collect();
+        let Some(one) = all.first().copied().filter(|_| all.len() >= ENOUGH.min(tokens.len())) else {
+            return own();
+        };
         let has_sense = one.iter().any(|token| matches!(token, Token::Sense(_)));
         if of_an_instant.iter().any(|words| first.contains(words.as_str())) {
             return own();
@@ -207,9 +297,8 @@ impl Printed {
         }
         let mut pieces: Vec<Value> = Vec::new();
         let mut turns: Option<usize> = None;
-        // The paper on which a length was just read, and how it is printed.
-        let mut paper: Option<(usize, f64, Vec<&str>)> = None;
-        let mut factor: Option<f64> = None;
+        let mut reading: Option<Reading<'_>> = None;
+        let mut reads: Vec<OnPaper> = Vec::new();
         for (index, token) in one.iter().enumerate() {
             let same: Option<Vec<&str>> = all
                 .iter()
@@ -224,57 +313,42 @@ impl Printed {
             let constant = same.iter().all(|text| *text == same[0]);
             match token {
                 Token::Words(text) if constant => pieces.push(json!(text)),
-                Token::Number(text) if constant && paper.is_some() && factor.is_none() => {
+                Token::Number(text)
+                    if let (true, Some(reading)) =
+                        (constant, reading.as_mut().filter(|reading| reading.si.is_none())) =>
+                {
                     // The scale by which it is multiplied.
-                    let found = paper.as_ref().and_then(|(panel, si_per_mm, _)| {
-                        let units = self.all.iter().filter(|c| c.form == Form::Length).map(|c| c.si);
-                        let mut fits = units.filter(|si| moving::printed_stated(si_per_mm / si) == *text);
-                        fits.next().map(|si| (*panel, si, si_per_mm / si))
-                    });
-                    match found {
-                        Some((panel, si, by)) => {
-                            factor = Some(by);
-                            pieces.push(json!([8, panel, si]));
-                        }
-                        None => pieces.push(json!(text)),
-                    }
+                    let OnPaper { panel, si_per_mm, .. } = reading.on;
+                    let mut units = self.all.iter().filter(|c| c.form == Form::Length).map(|c| c.si);
+                    reading.si = units.find(|si| moving::printed_stated(si_per_mm / si) == *text);
+                    pieces.push(reading.si.map_or_else(|| json!(text), |si| json!([FACTOR, panel, si])));
                 }
                 Token::Number(text) if constant => {
-                    turns = self.turning(&same).or(turns);
+                    turns = self.turning(&same, &at).or(turns);
                     pieces.push(json!(text));
                 }
-                Token::Number(_) => match (self.bound(&same), &paper, factor) {
-                    (Some((piece, on)), ..) => {
-                        turns = self.turning(&same);
-                        pieces.push(piece);
-                        if let Some((panel, si_per_mm)) = on {
-                            (paper, factor) = (Some((panel, si_per_mm, same)), None);
-                        }
+                Token::Number(_) => {
+                    if let Some(read) = &reading
+                        && let Some((si, more)) = self.amount(read, &same, &at)
+                    {
+                        pieces[read.piece] = json!([READ, read.on.output, si, more, read.on.panel]);
+                        pieces.push(json!([AMOUNT]));
+                        continue;
                     }
-                    // No ruler reads finer: it is that of what was read.
-                    (None, Some((.., read)), Some(by)) => {
-                        // As a number: what is exactly a shorter one is printed as one.
-                        let value = |text: &str| text.replace('\u{2009}', "").parse::<f64>().ok();
-                        let fits = |more: &usize| {
-                            read.iter().zip(&same).all(|(read, text)| {
-                                let read: f64 = read.parse().unwrap_or(f64::NAN);
-                                let is = |more| value(&moving::printed(read * by, more)) == value(text);
-                                value(text).is_some() && (0..=*more).any(is)
-                            })
-                        };
-                        match (0..=GUARDS).find(fits) {
-                            Some(more) => pieces.push(json!([7, more])),
-                            None => return own(),
-                        }
+                    let Some((piece, on)) = self.bound(&same, &at) else { return own() };
+                    turns = self.turning(&same, &at);
+                    if let Some(on) = on {
+                        reads.push(on);
+                        reading = Some(Reading { on, piece: pieces.len(), printed: same, si: None });
                     }
-                    _ => return own(),
-                },
+                    pieces.push(piece);
+                }
                 Token::Sense(_) => {
                     let follows = |output: &usize| {
                         let values = self.all.iter().find(|c| c.form == Form::Signed && c.output == *output);
                         values.is_some_and(|c| {
-                            c.values.iter().zip(&same).all(|(value, word)| {
-                                *word == self.senses[usize::from(*value < 0.0)] && *value != 0.0
+                            at.iter().map(|index| c.values[*index]).zip(&same).all(|(value, word)| {
+                                *word == self.senses[usize::from(value < 0.0)] && value != 0.0
                             })
                         })
                     };
@@ -286,20 +360,44 @@ impl Printed {
                 Token::Words(_) => return own(),
             }
         }
-        if all.iter().any(|tokens| tokens.len() != one.len()) {
+        // It is said otherwise only where what it reads is no longer than a point: so the page can tell where it does not hold.
+        let is_point = |index: &usize| {
+            reads.iter().any(|on| {
+                let mut papers = self.all.iter().filter(|c| c.form == Form::OnPaper && c.output == on.output);
+                papers.any(|paper| paper.panel == Some(on.panel) && is_a_point(paper.values[*index]))
+            })
+        };
+        if !elsewhere.iter().all(is_point) {
             return own();
         }
         json!(pieces)
     }
 
+    /// Of what was read, and is told by these numbers: SI units of its unit, and its figures more than usual. Each is the
+    /// number itself, or what the scale makes of what was read.
+    fn amount(&self, read: &Reading<'_>, printed: &[&str], at: &[usize]) -> Option<(f64, usize)> {
+        let si = read.si?;
+        let of = |c: &&Candidate| c.form == Form::Length && c.output == read.on.output && c.si == si;
+        let exact = self.all.iter().find(of)?;
+        let mut each = at.iter().zip(&read.printed).zip(printed).map(|((index, read_mm), text)| {
+            let exact = exact.values[*index];
+            // As a number: what is exactly a shorter one is printed as one.
+            let amount = read_mm.parse::<f64>().ok()? * read.on.si_per_mm / si;
+            (0..=GUARDS).find(|more| {
+                moving::printed(exact, *more) == *text
+                    || (number_of(text).is_some()
+                        && number_of(&moving::printed(amount, *more)) == number_of(text))
+            })
+        });
+        let more = each.next()??;
+        each.all(|more| more.is_some()).then_some((si, more))
+    }
+
     /// The signed scalar whose size is printed so.
-    fn turning(&self, printed: &[&str]) -> Option<usize> {
+    fn turning(&self, printed: &[&str], at: &[usize]) -> Option<usize> {
         let fits = |c: &&Candidate| {
-            c.form == Form::Size
-                && c.values
-                    .iter()
-                    .zip(printed)
-                    .all(|(value, text)| (0..=GUARDS).any(|more| moving::printed(*value, more) == *text))
+            let mut values = at.iter().map(|index| c.values[*index]).zip(printed);
+            c.form == Form::Size && values.all(|(value, text)| rounds_to(text, value))
         };
         self.all.iter().find(fits).map(|candidate| candidate.output)
     }

@@ -29,7 +29,7 @@ words! {
     denied, no_script, still, cw, ccw, apart, take_apart, reached_limit, sheet, traces, diagram, beyond, full, close,
     help_keys, moving_page, seconds_a_turn, copied, answer,
     page_version, not_moving, not_moving_one, said_at_start, said_at_start_one, save_answers, not_read, not_a_number, own_name,
-    question_sheet, taken_apart, begin_over,
+    question_sheet, taken_apart, begin_over, no_room, no_room_one,
 }
 
 /// The words of a language.
@@ -114,6 +114,8 @@ const ENGLISH: Words = Words {
     question_sheet: "The question",
     taken_apart: "Taken apart and assembled at {at}.",
     begin_over: "Assembled again at the scene's own position.",
+    no_room: "{count} names have no room at this scale",
+    no_room_one: "1 name has no room at this scale",
 };
 
 const ARABIC: Words = Words {
@@ -187,6 +189,8 @@ const ARABIC: Words = Words {
     question_sheet: "السؤال",
     taken_apart: "فُكّت الآلية ورُكّبت عند {at}.",
     begin_over: "رُكّبت الآلية من جديد في الوضع المعطى.",
+    no_room: "{count} من الأسماء لا مكان لها هنا بهذا المقياس",
+    no_room_one: "اسم واحد لا مكان له هنا بهذا المقياس",
 };
 
 const PERSIAN: Words = Words {
@@ -260,4 +264,6 @@ const PERSIAN: Words = Words {
     question_sheet: "پرسش",
     taken_apart: "مکانیزم باز و در {at} سوار شد.",
     begin_over: "مکانیزم در وضعیت داده‌شده دوباره سوار شد.",
+    no_room: "برای {count} نام در این مقیاس اینجا جا نیست",
+    no_room_one: "برای یک نام در این مقیاس اینجا جا نیست",
 };

@@ -76,6 +76,8 @@ pub(super) const SHEET: &[&str] = &[
     "positions",
     "other_assembly",
     "marks",
+    "live",
 ];
+pub(super) const LIVE: &[&str] = &["play_seconds", "traces", "diagrams", "scale"];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration", "force"];
 pub(super) const RANGE: &[&str] = &["from", "to", "step"];

@@ -66,8 +66,8 @@ pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
 
 pub use vary::{Range, Varied, asking_less, variant};
 
-use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Quantity, Unit};
+use crate::mechanism::{Mechanism, PointId};
 use diagnostic::{Fault, Res};
 use draft::Draft;
 use json::{Fields, Value};
@@ -314,6 +314,21 @@ pub struct SheetOptions {
     pub positions: Vec<f64>,
     /// The skeleton shows the other assembly dashed.
     pub other_assembly: bool,
+    /// How the live page opens.
+    pub live: LiveOptions,
+}
+
+/// How the live page opens; whoever reads it may change all of it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LiveOptions {
+    /// Seconds in which the whole course plays; 6 where nothing is said.
+    pub play_seconds: Option<f64>,
+    /// Points whose paths are drawn.
+    pub traces: Vec<PointId>,
+    /// Asked quantities whose diagrams over the input are drawn: their places among those asked for.
+    pub diagrams: Vec<usize>,
+    /// Polygons are fitted to each position, or keep one scale over the course; where nothing is said, whichever can be read.
+    pub refit: Option<bool>,
 }
 
 /// Which letter stands for angular acceleration.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::asked::QUANTITIES;
-use super::sheet::{LANGUAGES, NOTATIONS, PAPERS, THEMES};
+use super::sheet::{LANGUAGES, LIVE_SCALES, NOTATIONS, PAPERS, PLAY_SECONDS, THEMES};
 use super::units::names;
 use crate::limits::POSITIONS;
 use crate::mechanism::quantity::Method;
@@ -669,6 +669,25 @@ fn sheet() -> Value {
             "to": { "type": "number", "description": "The last one, a whole number of steps away." },
             "step": { "type": "number", "exclusiveMinimum": 0, "description": "By how much neighbours differ." },
         })),
+        "live": object("How the live page opens; whoever reads it may change all of it.", &[], json!({
+            "play_seconds": {
+                "type": "number", "minimum": PLAY_SECONDS[0], "maximum": PLAY_SECONDS[1], "default": 6,
+                "description": "Seconds in which the whole course plays.",
+            },
+            "traces": {
+                "type": "array", "items": { "type": "string" }, "description": "Points whose paths are drawn.",
+                "examples": [["B"]],
+            },
+            "diagrams": {
+                "type": "array", "items": { "type": "string" },
+                "description": "Quantities, asked for, whose diagrams over the input are drawn.",
+                "examples": [["omega(4)"]],
+            },
+            "scale": {
+                "enum": LIVE_SCALES,
+                "description": "Polygons keep one scale over the course, or are fitted to each position; where nothing is said, the latter where they would be too small.",
+            },
+        })),
         "sheet": object("How to draw.", &[], json!({
             "paper": {
                 "type": "string", "pattern": format!("^\\s*({})(\\s+(portrait|landscape))?\\s*$", PAPERS.join("|")),
@@ -696,6 +715,7 @@ fn sheet() -> Value {
                 "type": "boolean", "default": false,
                 "description": "Draw the other assembly of the mechanism dashed on the skeleton.",
             },
+            "live": described("live", "How the live page opens."),
             "scales": described("scales", "Scales; chosen where they are left out."),
             "length": length, "velocity": velocity, "acceleration": acceleration,
             "figures": {
@@ -715,7 +735,7 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 31] = [
+        let tables: [(&str, &[&str]); 32] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
             ("/$defs/placeWithin", keys::PLACED),
@@ -729,6 +749,7 @@ mod tests {
             ("/$defs/pin", keys::PIN),
             ("/$defs/publishedValue", keys::PUBLISHED),
             ("/$defs/sheet", keys::SHEET),
+            ("/$defs/live", keys::LIVE),
             ("/$defs/scales", keys::SCALES),
             ("/$defs/range", keys::RANGE),
             ("/$defs/gravity", keys::GRAVITY),

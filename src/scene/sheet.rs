@@ -4,7 +4,7 @@ use super::asked::named;
 use super::diagnostic::{Fault, Res};
 use super::json::{Entry, Fields, Kind, Value};
 use super::units::{Measure, Scale, Scales, Words, drawing_scale, number};
-use super::{AngularAcceleration, Scene, SheetOptions, Title, keys};
+use super::{AngularAcceleration, LiveOptions, Scene, SheetOptions, Title, keys};
 use crate::limits::POSITIONS;
 use crate::mechanism::{Input, Mechanism, Sense};
 
@@ -20,6 +20,11 @@ const MOST_MARKS: f64 = 1000.0;
 pub(super) const THEMES: [&str; 3] = ["mono", "colour", "dark"];
 /// Notations of vectors.
 pub(super) const NOTATIONS: [&str; 5] = ["standard", "norton", "uicker", "rattan", "martin"];
+
+/// Scales of a live page: one for the course, or one for each position.
+pub(super) const LIVE_SCALES: [&str; 2] = ["fixed", "refit"];
+/// The course plays no faster and no slower, s.
+pub(super) const PLAY_SECONDS: [f64; 2] = [1.0, 120.0];
 
 /// Reads `title`.
 pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
@@ -128,7 +133,50 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, mechanism: &Mecha
     if let Some(other) = fields.get("other_assembly") {
         sheet.other_assembly = other.bool()?;
     }
+    if let Some(value) = fields.get("live") {
+        sheet.live = live(value, scales, mechanism)?;
+    }
     Ok(sheet)
+}
+
+/// Reads `live`.
+fn live(value: &Value<'_>, scales: &Scales, mechanism: &Mechanism) -> Res<LiveOptions> {
+    let fields = Fields::of(value, keys::LIVE, "how the live page opens")?;
+    let mut live = LiveOptions::default();
+    if let Some(value) = fields.get("play_seconds") {
+        let Kind::Number(digits) = value.kind else { return Err(value.unexpected("a number of seconds")) };
+        let [least, most] = PLAY_SECONDS;
+        let seconds = number(digits, value.at)?.value;
+        if !(least..=most).contains(&seconds) {
+            return Err(Fault::new(value.at, format!("choose between {least} and {most} seconds")));
+        }
+        live.play_seconds = Some(seconds);
+    }
+    if let Some(traces) = fields.get("traces") {
+        for item in traces.list("a list of points, such as [\"B\"]")? {
+            let name = item.text("the name of a point")?;
+            let point = mechanism.point_named(name).ok_or_else(|| {
+                let known = mechanism.points.iter().map(|point| point.name.as_str());
+                Fault::new(item.at, format!("there is no point `{}`", name.escape_debug())).known(name, known)
+            })?;
+            live.traces.push(point);
+        }
+    }
+    if let Some(diagrams) = fields.get("diagrams") {
+        for item in diagrams.list("a list of quantities, such as [\"omega(4)\"]")? {
+            let name = item.text("the name of a quantity")?;
+            let wanted = named(name, item.at, mechanism, scales)?.quantity;
+            let row = mechanism.asked.iter().position(|asked| asked.quantity == wanted).ok_or_else(|| {
+                Fault::new(item.at, format!("a diagram shows what is asked for, and `{name}` is not"))
+                    .mend(format!("add \"{name}\" to `find`"))
+            })?;
+            live.diagrams.push(row);
+        }
+    }
+    if let Some(scale) = fields.get("scale") {
+        live.refit = Some(one_of(scale, &LIVE_SCALES, "a way to choose scales")? == "refit");
+    }
+    Ok(live)
 }
 
 /// The place of the first input that `text` states, in the scene's unit where it names none: rad, or m for a slide.

@@ -332,6 +332,9 @@ impl Scale {
         if let Some(base) = Self::base(text) {
             return Ok(base);
         }
+        if text.strip_prefix(',').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit())) {
+            return Err(wrong("a number with a decimal comma".to_owned()).mend("write a decimal point: 3.5"));
+        }
         let mut unit = Self::one();
         let mut inverse = false;
         let mut rest = text;

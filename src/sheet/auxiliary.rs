@@ -11,9 +11,10 @@ use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, head, page, right
 use super::labels::{self, Request, Site};
 use super::notation::Notation;
 use super::overlap::clip;
+use super::printed::{Apart, Figures, Key};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
-use super::steps::{self, Figures, Item, Key};
+use super::steps::{self, Item};
 use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
 };
@@ -383,20 +384,21 @@ fn letter(own: &str, notation: &Notation<'_>) -> Rich {
     if taken { letter.sup("*") } else { letter }
 }
 
-/// The steps in words.
+/// The steps in words of the construction with this number on the sheet.
 #[must_use]
 pub fn items(
+    index: usize,
     drawing: &AuxiliaryDrawing,
     construction: &Construction,
     notation: &Notation<'_>,
     figures: &RefCell<Figures>,
 ) -> Vec<Item> {
     // A construction has readings of its own: what it says of a quantity is not what a polygon said, but for what drives.
-    let own = RefCell::new(figures.borrow().of_inputs(notation));
+    let own = RefCell::new(figures.borrow().of_inputs(Apart::Auxiliary(index), notation));
     let teller = Teller { drawing, construction, notation, figures: &own };
     let mut all = vec![Item::Head(title(&drawing.kind, notation).bolder())];
     all.extend(drawing.acts.iter().flat_map(|act| teller.sentences(act)).map(Item::Sentence));
-    figures.borrow_mut().keep_apart(&own.borrow());
+    figures.borrow_mut().keep_apart(Apart::Auxiliary(index), &own.borrow(), notation);
     all
 }
 

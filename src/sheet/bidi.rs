@@ -237,10 +237,13 @@ impl Leftward {
     }
 
     fn flush(&mut self) {
+        let mut blank = Face::Upright.advance(" ", self.size);
         if let Some((word, face)) = self.word.take() {
+            // A word stands as far from a formula as from another word.
+            blank = blank.max(face.advance(" ", self.size * ARABIC));
             self.put(word, face, self.size * ARABIC);
         }
-        self.x -= Face::Upright.advance(" ", self.size) * self.blanks as f64;
+        self.x -= blank * self.blanks as f64;
         self.blanks = 0;
     }
 

@@ -14,15 +14,16 @@ use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
+use super::transfer;
 use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
 use crate::mechanism::quantity::Quantity;
-use crate::mechanism::{LinkId, Rider};
+use crate::mechanism::{LinkId, Mechanism, Rider};
 use crate::plan::chord;
 
 /// The figure grows to this size at most to take a centre in; what lies further out is off the sheet.
 const LARGEST: (f64, f64) = (150.0, 138.0);
 /// What names and caption need around a figure that fills the paper, width and height.
-const AROUND: (f64, f64) = (2.0, 24.0);
+pub(super) const AROUND: (f64, f64) = (2.0, 24.0);
 /// Blank kept between a centre and the border.
 const BORDER: f64 = 9.0;
 /// Centres closer than this on paper have one label.
@@ -84,27 +85,45 @@ fn drawn(
     group
 }
 
-/// The skeleton's ink with as many centres as find room, the nearest first: those that are asked for as far as the paper
-/// reaches, then the others on the part of it that a figure usually has.
+/// The skeleton's ink with as many centres as find room.
 fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Rect {
-    let mut window = skeleton.inflate(BORDER, BORDER);
-    let asked = |centre: &Centre| {
-        let [i, j] = centre.links;
-        let wanted = [Quantity::Centre(i, j), Quantity::Centre(j, i)];
-        notation.mechanism().asked.iter().any(|asked| wanted.contains(&asked.quantity))
-    };
-    let (width, height) = compose::free_paper(notation.scene);
+    let place = |centre: &Centre| Some((on_paper(centre)?, is_needed(centre, circle, notation.mechanism())));
+    let places: Vec<(Point, bool)> = circle.centres.iter().filter_map(place).collect();
+    window_over(skeleton, &places, compose::free_paper(notation.scene))
+}
+
+/// Whether a scene asks for a centre itself, or a velocity is carried over by it.
+pub(super) fn is_needed(centre: &Centre, circle: &CircleDiagram, mechanism: &Mechanism) -> bool {
+    let [i, j] = centre.links;
+    let wanted = [Quantity::Centre(i, j), Quantity::Centre(j, i)];
+    let asked = mechanism.asked.iter().any(|asked| wanted.contains(&asked.quantity));
+    asked || transfer::used(circle.transfers.iter()).contains(&centre.links)
+}
+
+/// What a figure shows of the plane: the skeleton's ink with as many centres as find room, the nearest first; those that
+/// are needed as far as the paper reaches, then the others on the part of it that a figure usually has.
+pub(super) fn window_over(skeleton: Rect, centres: &[(Point, bool)], (width, height): (f64, f64)) -> Rect {
     let paper = (width - AROUND.0, height - AROUND.1);
-    let middle = skeleton.center();
-    for (of_asked, most) in [(true, paper), (false, LARGEST)] {
-        let own = circle.centres.iter().filter(|centre| asked(centre) == of_asked);
-        let mut places: Vec<Point> = own.filter_map(on_paper).collect();
-        places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
-        for at in places {
-            let grown = window.union(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
-            if grown.width() <= most.0.max(window.width()) && grown.height() <= most.1.max(window.height()) {
-                window = grown;
-            }
+    let of = |needed: bool| centres.iter().filter(move |(_, own)| *own == needed).map(|(at, _)| *at);
+    let start = skeleton.inflate(BORDER, BORDER);
+    let with_needed = taking_in(start, of(true).collect(), skeleton.center(), BORDER, paper);
+    taking_in(with_needed, of(false).collect(), skeleton.center(), BORDER, LARGEST)
+}
+
+/// A window that has grown over as many places, with so much blank about them, as it takes without becoming larger than
+/// `most`; the nearest to a middle first.
+pub(super) fn taking_in(
+    mut window: Rect,
+    mut places: Vec<Point>,
+    middle: Point,
+    border: f64,
+    most: (f64, f64),
+) -> Rect {
+    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    for at in places {
+        let grown = window.union(Rect::from_center_size(at, (2.0 * border, 2.0 * border)));
+        if grown.width() <= most.0.max(window.width()) && grown.height() <= most.1.max(window.height()) {
+            window = grown;
         }
     }
     window

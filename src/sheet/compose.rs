@@ -1,7 +1,5 @@
 //! The page: panels with captions, tables and steps, on as many A4 pages as they need.
 
-use std::cell::RefCell;
-
 use kurbo::{Point, Rect, Vec2};
 
 use super::cycle::CyclePanel;
@@ -115,8 +113,8 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
     let given = given::paragraph(&notation);
     let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
-    let (steps, figures) = steps::items(construction, &notation);
-    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT, &figures);
+    let steps = steps::items(construction, &notation);
+    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
     let fits = |table: &Table| {
         !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
     };
@@ -671,11 +669,10 @@ pub fn single_after(
             return (!figures.is_empty()).then(|| stack(&figures));
         }
         "results" => {
-            let (_, figures) = steps::items(construction, &notation);
-            let table = results::table(construction, &notation, &ORDERS, TEXT, &figures);
+            let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
-        "steps" => (column(&steps::items(construction, &notation).0, 90.0, words), words.steps),
+        "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
         "turning-moment" | "energy" => {
             let sheet = construction.cycle.as_ref()?;
             let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
@@ -751,12 +748,13 @@ fn with_steps(
     notation: &Notation<'_>,
 ) -> Option<Block> {
     let mut block = panels::of_auxiliary(drawing, construction)?.block_at(place, construction, notation)?;
-    let figures = RefCell::default();
-    let rates = match drawing.kind {
-        Auxiliary::Klein { .. } => steps::conversions(notation, &figures),
-        _ => Vec::new(),
-    };
-    let items = auxiliary::items(drawing, construction, notation, &figures);
+    let (rates, items) = steps::settled(|figures| {
+        let rates = match drawing.kind {
+            Auxiliary::Klein { .. } => steps::conversions(notation, figures),
+            _ => Vec::new(),
+        };
+        (rates, auxiliary::items(0, drawing, construction, notation, figures))
+    });
     let items: Vec<Item> = rates.into_iter().map(Item::Sentence).chain(items.into_iter().skip(1)).collect();
     // The caption says already what the head of the steps would say.
     let mut steps = column(&items, block.width.max(120.0), notation.words);
@@ -1072,7 +1070,7 @@ impl Draft {
         let (width, height) = paper(scene);
         let mut pager = Pager::new(width, height, title(scene, words), words);
         pager.heading(&given::paragraph(&notation));
-        pager.tell(&steps::items(drawn, &notation).0);
+        pager.tell(&steps::items(drawn, &notation));
         let chunks = pager.waiting.iter().map(|strips| Chunk::of(strips)).collect();
         let results = [results::count(&notation, &ORDERS), results::count(&notation, &[Order::Acceleration])];
         Self { pager, chunks, results }

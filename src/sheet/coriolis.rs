@@ -130,7 +130,7 @@ pub(super) fn free_place(group: &Group, size: Rect, wish: Point, tallest: f64) -
             let growth = WIDTH_COST * (both.width() - ink.width()) + (both.height() - ink.height());
             let beyond = (both.height() - tallest.max(ink.height())).max(0.0);
             let cost = growth + 0.05 * own.center().distance(wish) + BEYOND * beyond;
-            if cost < best.0 && obstacles.cost(own.inflate(BLANK, BLANK)).0 == 0.0 {
+            if cost < best.0 && obstacles.is_free(own.inflate(BLANK, BLANK)) {
                 best = (cost, own.origin());
             }
         }

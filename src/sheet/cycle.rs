@@ -9,8 +9,9 @@ use super::human;
 use super::ink::{FINE, SMALL, THICK, THIN, arrow, dot};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
+use super::printed::{Figures, Key};
 use super::rich::Rich;
-use super::steps::{Figures, Item, Key, in_radians};
+use super::steps::{Item, in_radians};
 use super::words::Words;
 use crate::graphical::cycle::CycleSheet;
 use crate::mechanism::Input;
@@ -687,10 +688,12 @@ pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>, figures: &RefCe
         Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")
     };
     let teller = Computed { sheet, notation, figures };
-    let (mean, rest) = teller.lines();
+    let (mean, table, rest) = teller.lines();
     let mut items = vec![Item::Head(Rich::bold(notation.words.turning_moment_figure))];
     items.extend(mean.into_iter().map(Item::Sentence));
-    if !sheet.areas.is_empty() {
+    if let Some(lines) = table {
+        items.extend(lines.into_iter().map(Item::Sentence));
+    } else if !sheet.areas.is_empty() {
         items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area)));
         items.push(Item::Sentence(list(&sheet.levels, CycleQuantity::Level)));
     }
@@ -722,9 +725,9 @@ impl Computed<'_> {
     }
 
     /// Those of the mean torque, and those that follow from the levels.
-    fn lines(&self) -> (Vec<Rich>, Vec<Rich>) {
+    fn lines(&self) -> (Vec<Rich>, Option<Vec<Rich>>, Vec<Rich>) {
         let mechanism = self.notation.mechanism();
-        let Some(cycle) = &mechanism.forces.cycle else { return (Vec::new(), Vec::new()) };
+        let Some(cycle) = &mechanism.forces.cycle else { return (Vec::new(), None, Vec::new()) };
         let asked = |of: CycleQuantity| {
             mechanism.asked.iter().any(|asked| match asked.quantity {
                 Quantity::Cycle(other) => other == of || other.computed_from().contains(&of),
@@ -748,6 +751,7 @@ impl Computed<'_> {
         let (minus, over, times) = (" −\u{a0}", "\u{a0}/\u{a0}", "\u{a0}×\u{a0}");
         let turns = if matches!(key, Key::Given(_)) { self.speed_in_radians() } else { None };
         let mean = [
+            asked(CycleQuantity::Work).then(|| self.work()),
             asked(CycleQuantity::Mean).then(|| {
                 let factors = [of(CycleQuantity::Work, "J")?, period()?];
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
@@ -759,6 +763,7 @@ impl Computed<'_> {
                 self.line(of(CycleQuantity::Power, "W")?, &factors, set, |n| n[0] * n[1])
             }),
         ];
+        let table = self.table_lines();
         let rest = [
             asked(CycleQuantity::Fluctuation).then(|| {
                 let factors = [of(CycleQuantity::Highest, "J")?, of(CycleQuantity::Lowest, "J")?];
@@ -770,6 +775,7 @@ impl Computed<'_> {
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
                 self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
             }),
+            asked(CycleQuantity::Inertia).then(|| self.inertia()),
             asked(CycleQuantity::OfSpeed).then(|| {
                 let factors =
                     [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Inertia, "kg*m^2")?, omega()?];
@@ -793,8 +799,178 @@ impl Computed<'_> {
         ];
         (
             turns.into_iter().chain(mean.into_iter().flatten().flatten()).collect(),
+            table,
             rest.into_iter().flatten().flatten().collect(),
         )
+    }
+
+    /// The knots of a table over one period, radians and N m: of one driving torque against its mean.
+    fn knots(&self) -> Option<Vec<[f64; 2]>> {
+        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
+        let Sides::Torque(Course::Curve(Curve::Table { knots, .. })) = &cycle.sides else { return None };
+        let knots: Vec<[f64; 2]> = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
+        let (first, last) = (knots.first()?, knots.last()?);
+        let whole = first[0] == 0.0 && (last[0] - cycle.period.value).abs() < 1e-9;
+        let one = cycle.copies.number == 1 && !self.sheet.falling && knots.len() <= TOLD;
+        (whole && one).then_some(knots)
+    }
+
+    /// A sum of trapezoids under a line, in N m and degrees, and what it comes to in joules.
+    fn sum(&self, name: Rich, points: &[[f64; 2]], (key, value): (Key, f64)) -> Rich {
+        let parts = points.windows(2).map(|pair| {
+            let [[a, low], [b, high]] = [pair[0], pair[1]];
+            0.5 * (low + high) * (b - a).to_degrees()
+        });
+        let parts: Vec<f64> = parts.collect();
+        let largest = parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+        let parts: Vec<f64> = parts.into_iter().filter(|part| part.abs() > 1e-9 * largest).collect();
+        let unit = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
+        let (plain, joule) = (unit(""), unit("J"));
+        let factors: Vec<(Option<Key>, f64, &Unit)> =
+            parts.iter().map(|part| (None, *part, &plain)).collect();
+        let reckon = |numbers: &[f64]| {
+            let sum: f64 = numbers.iter().zip(&parts).map(|(number, part)| number.copysign(*part)).sum();
+            sum.to_radians().abs()
+        };
+        // A number stands in other lines without its sign.
+        let told = (Some(key), value.abs(), &joule);
+        let (numbers, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+        let mut sum = Rich::default();
+        for (index, (number, part)) in numbers.iter().zip(&parts).enumerate() {
+            let sign = match (index, *part < 0.0) {
+                (0, false) => "",
+                (0, true) => "−",
+                (_, false) => " +\u{a0}",
+                (_, true) => " −\u{a0}",
+            };
+            sum = sum.up(sign).then(number);
+        }
+        let line = name.up("\u{a0}= (").then(&sum).up(")\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
+        line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&text, "J"))
+    }
+
+    /// E = Σ ½ (T + T′) Δθ.
+    fn work(&self) -> Option<Rich> {
+        let (name, key, value, _) = self.number(CycleQuantity::Work, "J")?;
+        let formula =
+            name.up("\u{a0}= Σ\u{a0}½\u{a0}(").it("T").up("\u{a0}+\u{a0}").it("T").up("′)\u{a0}Δ").it("θ");
+        Some(self.sum(formula, &self.knots()?, (key?, value)))
+    }
+
+    /// I = M ρ² of the one mass that turns with the input.
+    fn inertia(&self) -> Option<Rich> {
+        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
+        let [rotating] = cycle.rotating.as_slice() else { return None };
+        let RotatingInertia::Mass(mass, radius) = rotating.inertia else { return None };
+        if rotating.ratio.value != 1.0 {
+            return None;
+        }
+        let factors =
+            [(Rich::italic("M"), None, mass.value, "kg"), (Rich::italic("ρ"), None, radius.value, "m")];
+        let set = |n: &[Rich]| n[0].clone().up("\u{a0}×\u{a0}").then(&n[1]).up("²");
+        let result = self.number(CycleQuantity::Inertia, "kg*m^2")?;
+        self.line(result, &factors, set, |n| n[0] * n[1] * n[1])
+    }
+
+    /// Where a torque by a table crosses its mean, the areas between, and the levels, each from the numbers before.
+    fn table_lines(&self) -> Option<Vec<Rich>> {
+        let knots = self.knots()?;
+        let Answer::Scalar { value: mean, .. } = self.sheet.answer(CycleQuantity::Mean) else { return None };
+        let crossings: Vec<f64> = self.sheet.crossings.iter().map(|crossing| crossing.at).collect();
+        let (count, period) = (crossings.len(), knots.last()?[0]);
+        if count == 0
+            || crossings[0] < 1e-9
+            || count > TOLD
+            || self.sheet.areas.len() != count
+            || self.sheet.levels.len() != count
+        {
+            return None;
+        }
+        let n = self.notation;
+        let key = |of: CycleQuantity| Key::Of(Quantity::Cycle(of));
+        let named = |of: CycleQuantity| symbol(n, of);
+        let counted = |index: usize| u32::try_from(index + 1).unwrap_or(u32::MAX);
+        let mut lines = Vec::new();
+        let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
+        let torque = Unit { symbol: "N*m".to_owned(), si: 1.0 };
+        for (index, at) in crossings.iter().enumerate() {
+            let pair = knots.windows(2).find(|pair| pair[0][0] <= *at && *at <= pair[1][0])?;
+            let [[from, low], [to, high]] = [pair[0], pair[1]];
+            if from == to {
+                return None;
+            }
+            let factors = [
+                (None, from, &degree),
+                (Some(key(CycleQuantity::Mean)), mean, &torque),
+                (None, low, &torque),
+                (None, high, &torque),
+                (None, to - from, &degree),
+            ];
+            let signs = [from, mean, low, high, to - from].map(f64::signum);
+            let reckon = |x: &[f64]| {
+                let x: [f64; 5] = std::array::from_fn(|i| x[i] * signs[i]);
+                x[0] + x[4] * (x[1] - x[2]) / (x[3] - x[2])
+            };
+            let of = CycleQuantity::Crossing(counted(index));
+            let told = (Some(key(of)), *at, &degree);
+            let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+            let minus = |first: &Rich, second: &Rich, negative: bool| {
+                let sign = if negative { "\u{a0}+\u{a0}" } else { "\u{a0}−\u{a0}" };
+                Rich::upright("(").then(first).up(sign).then(second).up(")")
+            };
+            let top = match mean < 0.0 {
+                true => Rich::upright("−").then(&x[1]),
+                false => x[1].clone(),
+            };
+            let high = match high < 0.0 {
+                true => Rich::upright("−").then(&x[3]),
+                false => x[3].clone(),
+            };
+            let line = named(of).up("\u{a0}= ").then(&x[0]).up("°\u{a0}+\u{a0}").then(&x[4]);
+            let line = line.up("°\u{a0}×\u{a0}").then(&minus(&top, &x[2], low < 0.0)).up("\u{a0}/\u{a0}");
+            let line = line.then(&minus(&high, &x[2], low < 0.0)).up("\u{a0}= ").then(&text).up("°");
+            lines.push(line);
+        }
+        // The excess over the mean from one angle to another, which may lie in the next period.
+        let excess = |from: f64, to: f64| {
+            let shifted = |turn: f64| knots.iter().map(move |knot| [knot[0] + turn, knot[1] - mean]);
+            let all = shifted(0.0).chain(shifted(period).skip(1)).filter(|[at, _]| from < *at && *at < to);
+            let at_zero = if from == 0.0 { knots[0][1] - mean } else { 0.0 };
+            let ends = [[from, at_zero]].into_iter().chain(all).chain([[to, 0.0]]);
+            ends.collect::<Vec<[f64; 2]>>()
+        };
+        for (index, from) in crossings.iter().enumerate() {
+            let to = crossings.get(index + 1).copied().unwrap_or(crossings[0] + period);
+            let of = CycleQuantity::Area(counted(index));
+            lines.push(self.sum(named(of), &excess(*from, to), (key(of), self.sheet.areas[index])));
+        }
+        let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
+        for (index, level) in self.sheet.levels.iter().enumerate() {
+            let of = CycleQuantity::Level(counted(index));
+            let Some(before) = index.checked_sub(1) else {
+                lines.push(self.sum(named(of), &excess(0.0, crossings[0]), (key(of), *level)));
+                continue;
+            };
+            let [first, second] =
+                [CycleQuantity::Level(counted(before)), CycleQuantity::Area(counted(before))];
+            let [a, b] = [self.sheet.levels[before], self.sheet.areas[before]];
+            let factors = [(Some(key(first)), a, &joule), (Some(key(second)), b, &joule)];
+            let reckon = |x: &[f64]| (x[0].copysign(a) + x[1].copysign(b)).abs();
+            let told = (Some(key(of)), level.abs(), &joule);
+            let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+            let sign = |value: f64, plain: &'static str, minus| if value < 0.0 { minus } else { plain };
+            let line = named(of).up("\u{a0}= ").then(&named(first)).up("\u{a0}+\u{a0}").then(&named(second));
+            let line = line.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0]);
+            let line = line.up(sign(b, "\u{a0}+\u{a0}", "\u{a0}−\u{a0}")).then(&x[1]);
+            let line = line.up("\u{a0}= ").up(sign(*level, "", "−"));
+            lines.push(line.then(&human::with_unit(&text, "J")));
+        }
+        if let Some([highest, lowest]) = self.sheet.extremes {
+            let mut figures = self.figures.borrow_mut();
+            figures.alias(key(CycleQuantity::Highest), key(CycleQuantity::Level(counted(highest))));
+            figures.alias(key(CycleQuantity::Lowest), key(CycleQuantity::Level(counted(lowest))));
+        }
+        Some(lines)
     }
 
     /// ω = 2πn/60, where the scene states it otherwise.

@@ -5,10 +5,10 @@ use std::cell::RefCell;
 use super::given::only_translates;
 use super::human;
 use super::notation::Notation;
+use super::printed::{Figures, Key, absolute};
 use super::rich::Rich;
-use super::steps::{Figures, Key};
-use crate::graphical::construction::{Act, Calculation, Construction, Label, Reading};
-use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Method, Order, Quantity, Unit};
+use crate::graphical::construction::{Act, Calculation, Construction, Diagram, Label, Reading};
+use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Method, Order, Quantity};
 use crate::mechanism::{Input, LinkId, Mechanism, Path, PointId, Rider, Slide};
 
 const EQUALS: &str = "\u{a0}= ";
@@ -59,6 +59,91 @@ fn turns_with(link: LinkId, mechanism: &Mechanism) -> Vec<LinkId> {
     pairs.filter_map(other).collect()
 }
 
+/// All links that turn with a link because straight guides tie them to each other, the nearest first.
+pub(super) fn turning_with(link: LinkId, mechanism: &Mechanism) -> Vec<LinkId> {
+    let mut all = vec![link];
+    let mut next = 0;
+    while let Some(own) = all.get(next).copied() {
+        for other in turns_with(own, mechanism) {
+            if !all.contains(&other) {
+                all.push(other);
+            }
+        }
+        next += 1;
+    }
+    all.split_off(1)
+}
+
+/// Link 3 turns with link 4: ω₃ = ω₄. The one is printed as the other.
+pub(super) fn companion(
+    [link, other]: [LinkId; 2],
+    of: impl Fn(LinkId) -> Quantity,
+    value: f64,
+    n: &Notation<'_>,
+    figures: &mut Figures,
+) -> Rich {
+    let [own, known] = [link, other].map(of);
+    let unit = n.angular_unit(known.order());
+    let told = figures.tell(Key::of(known, n), value, &unit);
+    figures.alias(Key::of(own, n), Key::of(known, n));
+    let told = n.with_sense(human::with_unit(&told, &unit.symbol), value);
+    let equation = n.symbol(own, false).up(EQUALS).then(&n.symbol(known, false)).up(EQUALS).then(&told);
+    let number = |link: LinkId| Rich::upright(n.number(link));
+    let parts = [("link", number(link)), ("other", number(other)), ("equation", equation)];
+    Rich::fill(n.words.turns_with, &parts)
+}
+
+/// The rate of a link that the steps tell or the scene states.
+pub(super) fn known_rate(
+    link: LinkId,
+    order: Order,
+    construction: &Construction,
+    mechanism: &Mechanism,
+) -> Option<f64> {
+    let stated = mechanism.inputs.iter().find_map(|input| match (input, order) {
+        (Input::Angle { link: own, omega, .. }, Order::Velocity) if *own == link => Some(omega.value),
+        (
+            Input::Angle { link: own, alpha, .. } | Input::Speed { link: own, alpha, .. },
+            Order::Acceleration,
+        ) if *own == link => Some(alpha.value),
+        _ => None,
+    });
+    let acts = || construction.steps.iter().flat_map(|step| &step.acts);
+    let calculated = || {
+        acts().find_map(|act| match (act, order) {
+            (Act::Calculate(Calculation::Omega { link: own, value, .. }), Order::Velocity)
+            | (Act::Calculate(Calculation::Alpha { link: own, value, .. }), Order::Acceleration)
+                if *own == link =>
+            {
+                Some(*value)
+            }
+            _ => None,
+        })
+    };
+    stated.or_else(calculated)
+}
+
+/// The images between which a vector lies.
+fn ends_of(quantity: Quantity, polygon: &Diagram) -> Option<[Label; 2]> {
+    if let Some(vector) = polygon.vectors.iter().find(|vector| vector.quantity == quantity) {
+        return Some([vector.tail, vector.head]);
+    }
+    let image = |point: PointId, link: Option<LinkId>| {
+        let of = |label: &Label| matches!(label, Label::Image { point: p, link: l } if *p == point && (link.is_none() || *l == link));
+        polygon.images.iter().map(|image| image.label).find(of)
+    };
+    match quantity {
+        Quantity::Velocity(p) | Quantity::Acceleration(p) => Some([Label::Pole, image(p, None)?]),
+        Quantity::CoincidentVelocity(p, l) | Quantity::CoincidentAcceleration(p, l) => {
+            Some([Label::Pole, image(p, Some(l))?])
+        }
+        Quantity::RelativeVelocity(p, q) | Quantity::RelativeAcceleration(p, q) => {
+            Some([image(q, None)?, image(p, None)?])
+        }
+        _ => None,
+    }
+}
+
 impl Teller<'_> {
     /// What is measured on the skeleton.
     fn measured(&self, asked: &Asked, reading: &Reading) -> Option<Rich> {
@@ -92,15 +177,26 @@ impl Teller<'_> {
 
     /// What follows from rates and vectors that were told.
     fn computed(&self, asked: &Asked, reading: &Reading) -> Vec<Rich> {
-        let Answer::Scalar { value, .. } = reading.answer else { return Vec::new() };
-        if reading.answer.may_be_zero() {
-            return Vec::new();
-        }
+        let value = match reading.answer {
+            _ if reading.answer.may_be_zero() => {
+                let lies_square =
+                    matches!(asked.quantity, Quantity::Tangential(_) | Quantity::RelativeTangential(..));
+                let own = lies_square && !self.figures.borrow().has(Key::of(asked.quantity, self.n));
+                return own
+                    .then(|| self.n.symbol(asked.quantity, false).up(EQUALS).up("0"))
+                    .into_iter()
+                    .collect();
+            }
+            Answer::Scalar { value, .. } => value,
+            Answer::Vector { value, .. } => return self.vector(asked, value),
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return Vec::new(),
+        };
         let velocity = |l: LinkId| (Quantity::Omega(l), self.omega(l, Order::Velocity));
         let acceleration = |l: LinkId| (Quantity::Alpha(l), self.omega(l, Order::Acceleration));
         match asked.quantity {
-            Quantity::Omega(link) => self.companion(link, velocity, &asked.unit).into_iter().collect(),
-            Quantity::Alpha(link) => self.companion(link, acceleration, &asked.unit).into_iter().collect(),
+            Quantity::Omega(link) | Quantity::Alpha(link) => {
+                self.rate(asked, value, link).into_iter().collect()
+            }
             Quantity::RelativeOmega(i, j) => {
                 self.difference(asked, value, [velocity(i), velocity(j)]).into_iter().collect()
             }
@@ -114,70 +210,105 @@ impl Teller<'_> {
         }
     }
 
-    /// The rate of a link that the steps tell or the scene states.
     fn omega(&self, link: LinkId, order: Order) -> Option<f64> {
-        let stated = self.n.mechanism().inputs.iter().find_map(|input| match (input, order) {
-            (Input::Angle { link: own, omega, .. }, Order::Velocity) if *own == link => Some(omega.value),
-            (
-                Input::Angle { link: own, alpha, .. } | Input::Speed { link: own, alpha, .. },
-                Order::Acceleration,
-            ) if *own == link => Some(alpha.value),
-            _ => None,
-        });
-        stated.or_else(|| self.calculated(link, order))
+        known_rate(link, order, self.construction, self.n.mechanism())
     }
 
-    fn calculated(&self, link: LinkId, order: Order) -> Option<f64> {
-        let acts = self.construction.steps.iter().flat_map(|step| &step.acts);
-        acts.filter_map(|act| match act {
-            Act::Calculate(calculation) => Some(calculation),
-            _ => None,
-        })
-        .find_map(|calculation| match (calculation, order) {
-            (Calculation::Omega { link: own, value, .. }, Order::Velocity)
-            | (Calculation::Alpha { link: own, value, .. }, Order::Acceleration)
-                if *own == link =>
-            {
-                Some(*value)
-            }
-            _ => None,
-        })
-    }
-
-    /// A rate as it was told; a number that was not told yet is told from now on so.
-    fn rate(&self, quantity: Quantity, value: f64) -> Rich {
+    /// The rate of a link that no step tells: that of the link with which it turns, or of a block that rides on an arc.
+    fn rate(&self, asked: &Asked, value: f64, link: LinkId) -> Option<Rich> {
         let n = self.n;
-        let unit = n.angular_unit(quantity.order());
-        self.figures.borrow_mut().tell(Key::of(quantity, n), value, &unit)
-    }
-
-    /// Link 3 turns with link 4: ω₃ = ω₄.
-    fn companion(
-        &self,
-        link: LinkId,
-        rate: impl Fn(LinkId) -> (Quantity, Option<f64>),
-        unit: &Unit,
-    ) -> Option<Rich> {
-        let n = self.n;
-        let (own, known) = rate(link);
-        if known.is_some() || only_translates(link, n.mechanism(), 0) {
-            return None;
-        }
-        let (other, quantity, value) = turns_with(link, n.mechanism()).into_iter().find_map(|other| {
-            let (quantity, value) = rate(other);
-            Some((other, quantity, value.filter(|value| *value != 0.0)?))
-        })?;
-        let told = human::with_unit(&self.rate(quantity, value), &n.angular_unit(quantity.order()).symbol);
-        let told = n.with_sense(told, value);
+        let order = asked.quantity.order();
+        let has = |link: LinkId| {
+            let quantity =
+                if order == Order::Acceleration { Quantity::Alpha(link) } else { Quantity::Omega(link) };
+            self.figures.borrow().has(Key::of(quantity, n))
+        };
         // In another unit it is another number.
-        if *unit != n.angular_unit(quantity.order()) {
+        if has(link) || only_translates(link, n.mechanism(), 0) || asked.unit != n.angular_unit(order) {
             return None;
         }
-        let equation =
-            n.symbol(own, false).up(EQUALS).then(&n.symbol(quantity, false)).up(EQUALS).then(&told);
-        let number = |link: LinkId| Rich::upright(n.number(link));
-        let parts = [("link", number(link)), ("other", number(other)), ("equation", equation)];
-        Some(Rich::fill(n.words.turns_with, &parts))
+        let turning = |other: &LinkId| self.omega(*other, order).is_some_and(|value| value != 0.0);
+        if let Some(other) = turning_with(link, n.mechanism()).into_iter().find(turning) {
+            let value = self.omega(other, order)?;
+            let of = |link| {
+                if order == Order::Acceleration { Quantity::Alpha(link) } else { Quantity::Omega(link) }
+            };
+            return Some(companion([link, other], of, value, n, &mut self.figures.borrow_mut()));
+        }
+        self.on_arc(asked, value, link)
+    }
+
+    /// ω₄ = V_B / R of a block on an arc; on one that turns the rate of its link and what the block turns against it.
+    fn on_arc(&self, asked: &Asked, value: f64, link: LinkId) -> Option<Rich> {
+        let n = self.n;
+        let order = asked.quantity.order();
+        let (point, guide, radius) =
+            n.mechanism().slides.iter().find_map(|slide| match (slide.rider, slide.guide.path) {
+                (Rider::Pin { point, block: Some(block) }, Path::Arc { radius, .. }) if block == link => {
+                    Some((point, slide.guide.link, radius.value))
+                }
+                _ => None,
+            })?;
+        let rests = only_translates(guide, n.mechanism(), 0);
+        let base = if rests { 0.0 } else { self.omega(guide, order)? };
+        let (along, of_guide) = match order {
+            Order::Acceleration => (Quantity::SlipTangential(point, guide), Quantity::Alpha(guide)),
+            _ if guide == LinkId::FRAME => (Quantity::Velocity(point), Quantity::Omega(guide)),
+            _ => (Quantity::Slip(point, guide), Quantity::Omega(guide)),
+        };
+        let (unit, w, length) = (n.unit(order.dimension()), n.angular_unit(order), &n.scene.units.length);
+        if (unit.si / length.si / w.si - 1.0).abs() > 1e-9 {
+            return None;
+        }
+        let against = value - base;
+        let quotient = (Some(Key::of(along, n)), against.abs() * radius, &unit);
+        let turning = (Some(Key::of(of_guide, n)), base, &w);
+        let own = (None, radius, length);
+        let result = (Some(Key::of(asked.quantity, n)), value.abs(), &w);
+        let sign = if against < 0.0 { "\u{a0}−\u{a0}" } else { "\u{a0}+\u{a0}" };
+        let ratio = |a: &Rich, b: &Rich| a.clone().up(OVER).then(b);
+        let symbols = ratio(&n.symbol(along, false), &Rich::italic("R"));
+        let mut figures = self.figures.borrow_mut();
+        let (symbols, numbers, result) = if base == 0.0 {
+            let (numbers, result, _) = figures.line_of(&[quotient, own], result, |x| x[0] / x[1]);
+            (symbols, ratio(&numbers[0], &numbers[1]), result)
+        } else {
+            let (numbers, result, _) = figures.line_of(&[turning, quotient, own], result, |x| {
+                (x[0].copysign(base) + (x[1] / x[2]).copysign(against)).abs()
+            });
+            let minus = if base < 0.0 { "−" } else { "" };
+            let sum = Rich::upright(minus).then(&numbers[0]).up(sign).then(&ratio(&numbers[1], &numbers[2]));
+            let result = if value < 0.0 { Rich::upright("−").then(&result) } else { result };
+            (n.symbol(of_guide, false).up(sign).then(&symbols), sum, result)
+        };
+        let told = human::with_unit(&result, &w.symbol);
+        let told = if base == 0.0 { n.with_sense(told, value) } else { told };
+        let text = n.symbol(asked.quantity, false).up(EQUALS).then(&symbols).up(EQUALS).then(&numbers);
+        Some(text.up(EQUALS).then(&told))
+    }
+
+    /// A vector that no step has read, and one that is asked in another unit than the drawing's.
+    fn vector(&self, asked: &Asked, [x, y]: [f64; 2]) -> Vec<Rich> {
+        let n = self.n;
+        let order = super::results::polygon_of(asked.quantity);
+        let Some(polygon) = self.construction.diagram(order.diagram()) else { return Vec::new() };
+        let (unit, size) = (n.unit(order.dimension()), libm::hypot(x, y));
+        let key = Key::of(asked.quantity, n);
+        let mut all = Vec::new();
+        let symbol = n.symbol(asked.quantity, false);
+        if !self.figures.borrow().has(key)
+            && let Some(ends) =
+                ends_of(asked.quantity, polygon).or_else(|| ends_of(absolute(asked.quantity, n), polygon))
+        {
+            let mm = size / polygon.si_per_mm;
+            let told = (&mut *self.figures.borrow_mut(), key);
+            all.push(super::steps::read(symbol.clone(), ends, mm, size, polygon, n, told));
+        }
+        if asked.unit != unit && self.figures.borrow().has(key) {
+            let own = human::with_unit(&self.figures.borrow_mut().tell(key, size, &unit), &unit.symbol);
+            all.push(symbol.up(EQUALS).then(&own).up(EQUALS).then(&human::quantity(size, &asked.unit)));
+        }
+        all
     }
 
     /// ω₃₂ = ω₃ − ω₂, counter-clockwise positive.

@@ -8,7 +8,8 @@ use super::notation::Notation;
 use super::rich::Rich;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Size, Spring, SpringKind, SpringLaw,
+    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Share, Size, Spring, SpringKind,
+    SpringLaw,
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
@@ -332,7 +333,14 @@ impl Teller<'_> {
             Direction::Angle(angle) => {
                 let angle = ("angle", human::degrees(angle.value + turned.value));
                 let frame = slide.guide.link == LinkId::FRAME;
-                let template = if frame { words.given_guide } else { words.given_guide_moving };
+                // A link that is nothing but a guide has no axes of its own.
+                let alone = matches!(self.n.mechanism().link(slide.guide.link).form, Form::Single)
+                    && matches!(through, GuidePoint::Point(_));
+                let template = match (frame, alone) {
+                    (true, _) => words.given_guide,
+                    (false, true) => words.given_slot_through,
+                    (false, false) => words.given_guide_moving,
+                };
                 Rich::fill(template, &[guide, link, ("place", place), angle])
             }
             Direction::Toward(target) => {
@@ -777,11 +785,17 @@ impl Teller<'_> {
                 if self.rests([velocity.value, acceleration.value]) {
                     return;
                 }
+                // What drives a slide on a moving guide drives it along that guide.
+                let guide = self.n.mechanism().slides.get(*slide).map(|slide| slide.guide.link);
+                let [first, second] = match guide.filter(|guide| *guide != LinkId::FRAME) {
+                    Some(guide) => [Quantity::Slip(point, guide), Quantity::SlipAcceleration(point, guide)],
+                    None => [Quantity::Velocity(point), Quantity::Acceleration(point)],
+                };
                 let unit = rate_unit(self.n.unit(Dimension::Velocity));
                 let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);
-                parts.push(self.equals(self.n.symbol(Quantity::Velocity(point), false), &value));
+                parts.push(self.equals(self.n.symbol(first, false), &value));
                 let unit = second_unit(self.n.unit(Dimension::Acceleration));
-                self.second(Quantity::Acceleration(point), acceleration.value, &unit, false, parts);
+                self.second(second, acceleration.value, &unit, false, parts);
             }
         }
     }
@@ -915,6 +929,11 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
     }
     let name = |(quantity, methods): &(Quantity, Vec<&str>)| {
         let symbol = notation.symbol(*quantity, false);
+        let symbol = match quantity {
+            Quantity::Force(_, Share::Rising) => symbol.up("\u{a0}(").up(words.governor_up).up(")"),
+            Quantity::Force(_, Share::Falling) => symbol.up("\u{a0}(").up(words.governor_down).up(")"),
+            _ => symbol,
+        };
         match methods.as_slice() {
             [] => symbol,
             methods => symbol.up(&format!("\u{a0}({})", methods.join(words.comma))),

@@ -10,9 +10,10 @@ use super::human;
 use super::ink::{FINE, SMALL, head};
 use super::labels::{Request, Site};
 use super::notation::Notation;
+use super::printed::Key;
 use super::rich::Rich;
 use super::statics::{DOT, EQUALS, Factor, OVER, TIMES, Teller, arm_name, product};
-use super::steps::{Item, Key, in_radians};
+use super::steps::{Item, in_radians};
 use crate::graphical::construction::{
     About, AlongGuide, Arm, Construction, ForceSheet, Governor, GovernorState, MomentBalance, OnSleeve,
 };

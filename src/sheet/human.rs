@@ -7,13 +7,25 @@ use crate::mechanism::quantity::Unit;
 /// a shorter number is written as one: 45, not 45.0.
 #[must_use]
 pub fn number(value: f64) -> Rich {
-    let size = value.abs();
     let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    if (short - value).abs() <= 1e-9 * size {
+    if (short - value).abs() <= 1e-9 * value.abs() {
         return figures(value, 3, true);
     }
-    let digits = if size >= 1000.0 { 4 } else { 3 };
-    figures(value, digits, false)
+    figures(value, without_a_tie(value, usual_figures(value)), false)
+}
+
+/// So many figures, or one more where the number lies half way between two of so many: rounded up or down it would be what
+/// somebody else does not get.
+fn without_a_tie(value: f64, digits: usize) -> usize {
+    let written: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    let half = 0.5 * unit_in_the_last(value, digits);
+    let is_half = ((value - written).abs() - half).abs() <= 1e-6 * half;
+    digits + usize::from(is_half)
+}
+
+/// A unit of the last place of a number of so many figures.
+fn unit_in_the_last(value: f64, digits: usize) -> f64 {
+    libm::exp10(libm::floor(libm::log10(value.abs())) - (digits as f64 - 1.0))
 }
 
 /// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
@@ -23,7 +35,7 @@ pub(super) fn finer(value: f64, more: usize) -> (Rich, f64) {
     if (short - value).abs() <= 1e-9 * value.abs() {
         return (figures(value, 3, true), short);
     }
-    let digits = usual_figures(value) + more;
+    let digits = without_a_tie(value, usual_figures(value) + more);
     let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     (figures(value, digits, false), written)
 }
@@ -39,11 +51,8 @@ fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
     if written == 0.0 || !written.is_finite() {
         return reckoned == written;
     }
-    let figures = (usual_figures(result) + more) as f64;
-    let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
-    let half = 0.5 * libm::exp10(place);
-    let above = (reckoned - written) * written.signum();
-    above >= -half * (1.0 + 1e-9) && above < half * (1.0 - 1e-9)
+    let digits = without_a_tie(result, usual_figures(result) + more);
+    (reckoned - written).abs() < 0.5 * unit_in_the_last(written, digits) * (1.0 - 1e-6)
 }
 
 /// More figures than this no line needs to close.
@@ -76,13 +85,8 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
 }
 
 /// A reading on paper, and what it is by the scale, as the one is rounded to the tenth of a millimetre, or to the hundredth
-/// where the product would not be the printed one without it, and what is longer than a decimetre to the tenth.
-pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
-    let (reading, amount, _) = reading_at(mm, factor, result, 0);
-    [reading, amount]
-}
-
-/// The same with so many figures more, and the number that then stands there.
+/// where the product would not be the printed one without it, and what is longer than a decimetre to the tenth; with so many
+/// figures more than usual; and the number that then stands there.
 pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
     let finest = if mm < DECIMETRE { 2 } else { 1 };
     // Nobody reads five figures.
@@ -119,20 +123,28 @@ pub fn limited(value: f64, more: usize) -> (Rich, f64) {
     finer(value, more.min(most))
 }
 
-/// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it.
+/// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it; what lies
+/// half way to the next is not.
 pub fn agrees(reckoned: f64, written: f64, result: f64, more: usize) -> bool {
     if written == 0.0 || !written.is_finite() {
         return reckoned == written;
     }
-    let figures = (usual_figures(result) + more).clamp(usual_figures(result), MOST_FIGURES) as f64;
-    let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
-    (reckoned - written).abs() <= 0.5 * libm::exp10(place) * (1.0 + 1e-9)
+    let usual = usual_figures(result);
+    let digits = without_a_tie(result, (usual + more).clamp(usual, MOST_FIGURES));
+    (reckoned - written).abs() < 0.5 * unit_in_the_last(written, digits) * (1.0 - 1e-6)
 }
 
 /// A stated number, as it is written where it is given; of a number that has more figures those of [`limited`].
 pub fn given(value: f64, more: usize) -> (Rich, f64) {
     let short: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if (short - value).abs() <= 1e-9 * value.abs() { (stated(value), short) } else { limited(value, more) }
+}
+
+/// A printed number in a unit that is a power of ten of its own, and the number that then stands there: its figures stay.
+pub fn shifted(number: f64, tens: i32) -> (Rich, f64) {
+    let value = format!("{number:.9e}").parse().unwrap_or(number) * libm::exp10(f64::from(tens));
+    let written = format!("{value:.5e}").parse().unwrap_or(value);
+    (stated(value), written)
 }
 
 /// A scale that follows from another and is multiplied with readings: as many of its figures as it needs, at most five; and
@@ -284,6 +296,11 @@ mod tests {
             (999.6, "1000"),
             (0.0538, "0.0538"),
             (12_345.6, "12\u{2009}350"),
+            // Half way between two: neither up nor down.
+            (562.5, "562.5"),
+            (-0.012_45, "−0.01245"),
+            (22.25, "22.25"),
+            (562.500_1, "563"),
             (-214_200.0, "−214\u{2009}200"),
             (1.26e6, "1.26\u{a0}×\u{a0}106"),
             (-2.511e-7, "−2.51\u{a0}×\u{a0}10−7"),
@@ -306,16 +323,19 @@ mod tests {
         assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
         let [speed, _] = closing([317.04, 80.0], 317.04 * 317.04 / 80.0, |[v, l]| v * v / l);
         assert_eq!(plain(&speed), "317");
-        // 35.1 × 5 is 175.5, half way to 175.
-        let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));
-        assert_eq!(line(35.062), ["35.1\u{a0}mm", "175"]);
-        assert_eq!(line(63.496), ["63.5\u{a0}mm", "317"]);
-        assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
-        // 57.4 × 50 is not 2871, and 682.6 × 50 has no more figures than were read.
-        let line = |mm: f64| reading(mm, 50.0, 50.0 * mm).map(|part| plain(&part));
-        assert_eq!(line(57.426), ["57.43\u{a0}mm", "2871"]);
-        let line = |mm: f64| reading(mm, 5000.0, 5000.0 * mm).map(|part| plain(&part));
-        assert_eq!(line(6.826), ["6.83\u{a0}mm", "34\u{2009}150"]);
+        // 35.1 × 5 is 175.5, half way to 175: it is read more finely.
+        let line = |mm: f64, factor: f64| {
+            let (mm, amount, _) = reading_at(mm, factor, factor * mm, 0);
+            [mm, amount].map(|part| plain(&part))
+        };
+        assert_eq!(line(35.062, 5.0), ["35.06\u{a0}mm", "175"]);
+        // Where it cannot be, the product is given as it is.
+        assert_eq!(line(682.504, 5.0), ["682.5\u{a0}mm", "3412.5"]);
+        assert_eq!(line(63.496, 5.0), ["63.50\u{a0}mm", "317.5"]);
+        assert_eq!(line(30.0, 5.0), ["30.0\u{a0}mm", "150"]);
+        // 57.4 × 50 is not 2871, and what is longer has no more figures than were read.
+        assert_eq!(line(57.426, 50.0), ["57.43\u{a0}mm", "2871.5"]);
+        assert_eq!(line(6.826, 5000.0), ["6.83\u{a0}mm", "34\u{2009}150"]);
     }
 
     #[test]

@@ -334,11 +334,22 @@ impl Obstacles {
         }
     }
 
-    /// What a box costs: 0 where it is free, a little where it is tight, much where it touches; and
-    /// whether it touches.
+    /// Whether a box costs nothing: found out at the first thing that is in its way.
     #[must_use]
-    pub fn cost(&self, own: Rect) -> (f64, bool) {
-        self.cost_within(own, 0.0, f64::INFINITY)
+    pub fn is_free(&self, own: Rect) -> bool {
+        let tight = own.inflate(CLEARANCE, CLEARANCE);
+        let wide = own.inflate(WORD, CLEARANCE);
+        let free_of = |number: usize| match self.thing(number) {
+            Thing::Clump(Clump { strokes, bounds }) => {
+                let apart =
+                    |&(a, b, half): &(Point, Point, f64)| clip(a, b, tight.inflate(half, half)).is_none();
+                !bounds.overlaps(tight) || self.strokes[strokes.clone()].iter().all(apart)
+            }
+            Thing::Area(area) => !area.iter().any(|p| tight.contains(*p)),
+            Thing::Box(i) => !self.boxes[i].overlaps(wide) || between(own, self.boxes[i]).0 == 0.0,
+        };
+        let flow = |is_free: bool| if is_free { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        self.grid.visit(wide, |number| flow(free_of(number))).is_continue()
     }
 
     /// The cost of a box up to `limit`: one that costs more costs at least that.

@@ -14,12 +14,13 @@ use super::labels::{Obstacles, Request, Site};
 use super::notation::Notation;
 use super::panels::{self, Panel};
 use super::rich::Rich;
-use super::steps::{self, Item};
+use super::steps::{self, Item, WAY};
 use super::words::Language;
 use super::{auxiliary, human, polygon, skeleton, transfer};
 use crate::graphical::auxiliary::{StrokeRole, StrokeShape};
 use crate::graphical::construction::{
-    CentreLine, CentrePlace, CircleDiagram, Construction, Found, Label, TransferInk, Vector,
+    CentreLine, CentrePlace, CircleDiagram, Claim, Construction, Found, Label, Reference, TransferInk,
+    Vector, VectorKind,
 };
 use crate::mechanism::Rider;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
@@ -456,7 +457,14 @@ impl<'a> Draughts<'a> {
                     .map(|template| Rich::fill(template, &[("rotation", rotation.clone())]).html())
             })
             .collect();
-        all.push("→".to_owned());
+        // A normal part leads to its centre wherever that is; the way along a line changes with the sense of what lies in it.
+        let vectors = self.construction.diagrams.iter().flat_map(|diagram| &diagram.vectors);
+        for vector in vectors.filter(|vector| vector.kind != VectorKind::Normal) {
+            if let Some(Claim::Parallel(Reference::Points(p, q))) = vector.claim {
+                let [p, q] = [p, q].map(|point| self.notation.point(point));
+                all.extend([(&p, &q), (&q, &p)].map(|(p, q)| p.clone().up(WAY).then(q).html()));
+            }
+        }
         all
     }
 

@@ -236,9 +236,9 @@ impl<'a> Notation<'a> {
     /// The symbol of a vector that starts at the image of a point: where the quantity names only the
     /// observed point of a link, its reference is named as well (V of P3 against A).
     #[must_use]
-    pub fn symbol_from(&self, quantity: Quantity, reference: Option<PointId>) -> Rich {
+    pub fn symbol_from(&self, quantity: Quantity, reference: Option<PointId>, arrow: bool) -> Rich {
         let reference = reference.filter(|r| !self.mechanism().is_fixed(*r));
-        let Some(reference) = reference else { return self.symbol(quantity, false) };
+        let Some(reference) = reference else { return self.symbol(quantity, arrow) };
         let (letter, sup, point, link) = match quantity {
             Quantity::CoincidentVelocity(p, l) => (self.profile.velocity, "", p, l),
             Quantity::CoincidentAcceleration(p, l) => (self.profile.acceleration, "", p, l),
@@ -246,11 +246,12 @@ impl<'a> Notation<'a> {
             Quantity::CoincidentTangential(p, l) => {
                 (self.profile.acceleration, self.profile.tangential, p, l)
             }
-            other => return self.symbol(other, false),
+            other => return self.symbol(other, arrow),
         };
+        let letter = if arrow { Rich::vector(letter) } else { Rich::italic(letter) };
         let between = if self.profile.relative == Relative::Slash { "/" } else { "" };
         let sub = format!("{}{between}{}", self.under(point, link), self.index(reference));
-        Rich::italic(letter).scripts(sup, Face::Upright, &sub)
+        letter.scripts(sup, Face::Upright, &sub)
     }
 
     /// The link by whose number a pin on a moving guide is told from the points under it: 2 of A₂, A₄.
@@ -290,7 +291,7 @@ impl<'a> Notation<'a> {
 
     /// A4: the point of link 4 under pin A.
     fn under(&self, point: PointId, link: LinkId) -> String {
-        format!("{}{}", self.index(point), self.number(link))
+        numbered(&self.index(point), &self.number(link))
     }
 
     /// A point's name in the index of a vector.
@@ -305,11 +306,12 @@ impl<'a> Notation<'a> {
         let own = self.mechanism().points.get(point.0);
         let own = own.and_then(|p| p.links.iter().copied().find(|l| *l != guide && *l != LinkId::FRAME));
         let own = own.map_or_else(String::new, |l| self.number(l));
+        let own = numbered(&name, &own);
         let guide = self.number(guide);
         if self.profile.apparent {
-            format!("{name}{own}/{guide}")
+            format!("{own}/{guide}")
         } else {
-            format!("{name}{own}{name}{guide}")
+            format!("{own}{}", numbered(&name, &guide))
         }
     }
 
@@ -549,4 +551,10 @@ pub enum Lie {
 fn split(name: &str) -> (&str, &str) {
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if letters.is_empty() { (name, "") } else { name.split_at(letters.len()) }
+}
+
+/// A point's name with a link's number after it; a name that ends with a number has a comma between.
+fn numbered(name: &str, number: &str) -> String {
+    let comma = if name.ends_with(|last: char| last.is_numeric()) && !number.is_empty() { "," } else { "" };
+    format!("{name}{comma}{number}")
 }

@@ -55,6 +55,12 @@ pub struct HandedIn {
     pub head: Label,
 }
 
+/// So many times as far from the pole as the farthest image of the right polygon stands what is still drawn of the
+/// student's.
+const FARTHEST: f64 = 3.0;
+/// It stands at least so far, mm.
+const LEAST_REACH: f64 = 20.0;
+
 /// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
 /// they are known to be drawn, and vectors as they were handed in. Each fault is circled where the student has it,
 /// numbered and named below, with a legend. `None` where there is no polygon.
@@ -75,6 +81,9 @@ pub fn overlay(
         let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
         let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
             own.map_or_else(Vec::new, |own| differing(polygon, own));
+        let extent = polygon.images.iter().map(|image| libm::hypot(image.at[0], image.at[1]));
+        let extent = extent.fold(LEAST_REACH, f64::max);
+        let reach = FARTHEST * extent;
         for vector in handed_in.iter().filter(|vector| vector.diagram == polygon.kind) {
             let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
             if !arrows.iter().any(|(from, to, ..)| near(*from, vector.from) && near(*to, vector.to)) {
@@ -83,9 +92,12 @@ pub fn overlay(
         }
         let here: Vec<(usize, &Fault<'_>)> =
             (1..).zip(faults).filter(|(_, fault)| fault.diagram == polygon.kind).collect();
+        // What stands metres away would leave nothing else to be seen.
+        arrows.retain(|(from, to, ..)| [from, to].into_iter().all(|at| libm::hypot(at[0], at[1]) <= reach));
         draw_arrows(&mut panel, &arrows, polygon.kind, &notation);
         for (number, fault) in &here {
-            let centre = page(fault.at);
+            let far = libm::hypot(fault.at[0], fault.at[1]);
+            let centre = page(if far > reach { fault.at.map(|mm| mm * extent / far) } else { fault.at });
             let circle = Shape::Circle { centre, radius: CIRCLE };
             panel.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
             if faults.len() > 1 {

@@ -14,6 +14,7 @@ use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use crate::graphical::construction::{ConstructionLine, Diagram, Image, Label, Step, Vector, VectorKind};
+use crate::mechanism::PointId;
 use crate::mechanism::quantity::DiagramKind;
 
 /// Images closer than this on paper are one dot and share a label.
@@ -561,18 +562,22 @@ impl Named {
 /// The symbol of a drawn vector, by the image that it starts from.
 #[must_use]
 pub fn vector_name(vector: &Vector, polygon: &Diagram, notation: &Notation<'_>) -> Rich {
+    notation.symbol_from(vector.quantity, seen_from(vector, polygon), false)
+}
+
+/// The point at whose image a vector begins, or the normal part before it.
+pub fn seen_from(vector: &Vector, polygon: &Diagram) -> Option<PointId> {
     let at = |v: &Vector| (page(v.from), page(v.to));
     // A tangential part starts where its normal part ends.
     let normal = polygon.vectors.iter().find(|n| {
         n.kind == VectorKind::Normal && n.head == vector.tail && at(n).1.distance(at(vector).0) < COINCIDENT
     });
-    let reference = match (vector.tail, normal.map(|n| n.tail)) {
+    match (vector.tail, normal.map(|n| n.tail)) {
         (Label::Image { point, .. }, _) | (Label::Foot { .. }, Some(Label::Image { point, .. })) => {
             Some(point)
         }
         _ => None,
-    };
-    notation.symbol_from(vector.quantity, reference)
+    }
 }
 
 /// The direction away from all lines that end in a point: there its name is out of the way.

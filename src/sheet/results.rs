@@ -2,22 +2,16 @@
 
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::Figures;
 use super::table::{Align, Flow, Table};
 use super::{given, human};
 use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::force::{Force, Share};
-use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Method, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Order, Quantity};
 
-/// The asked quantities of these orders with their values, senses and directions; what was told in the steps as it was told.
+/// The asked quantities of these orders with their values, senses and directions: rounded once, from what was drawn, while a
+/// line of the steps goes on from what was read.
 #[must_use]
-pub fn table(
-    construction: &Construction,
-    notation: &Notation<'_>,
-    orders: &[Order],
-    size: f64,
-    figures: &Figures,
-) -> Table {
+pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Order], size: f64) -> Table {
     let words = notation.words;
     let rows = notation
         .mechanism()
@@ -25,7 +19,7 @@ pub fn table(
         .iter()
         .zip(&construction.answers)
         .filter(|(asked, _)| is_row(asked, notation, orders))
-        .map(|(asked, reading)| row(asked, reading, notation, figures))
+        .map(|(asked, reading)| row(asked, reading, notation))
         .collect();
     Table {
         columns: vec![Align::Left, Align::Right, Align::Left],
@@ -73,7 +67,7 @@ pub fn stated_scales(notation: &Notation<'_>) -> Option<Rich> {
 
 /// The polygon on which a quantity is read: normal parts need velocities only, and stand in the
 /// acceleration polygon all the same.
-fn polygon_of(quantity: Quantity) -> Order {
+pub(super) fn polygon_of(quantity: Quantity) -> Order {
     match quantity {
         Quantity::RelativeNormal(..)
         | Quantity::Normal(_)
@@ -83,25 +77,18 @@ fn polygon_of(quantity: Quantity) -> Order {
     }
 }
 
-fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figures) -> Vec<Rich> {
+fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
     if let Some(method) = notation.method(asked.method) {
         symbol = symbol.up(",\u{a0}").up(method);
     }
-    let amount = |si: f64| {
-        let told = match asked.method {
-            Method::Polygon => figures.told(asked.quantity, si, &asked.unit, notation),
-            Method::Klein => figures.told_apart(asked.quantity, &asked.unit, notation),
-            _ => None,
-        };
-        told.filter(|_| si > 0.0).unwrap_or_else(|| human::quantity(si, &asked.unit))
-    };
+    let amount = |si: f64| human::quantity(si, &asked.unit);
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.
         answer @ Answer::Scalar { value, .. } if answer.may_be_zero() && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
-            row(asked, &Reading { answer: none, ..reading.clone() }, notation, figures)
+            row(asked, &Reading { answer: none, ..reading.clone() }, notation)
         }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
@@ -116,9 +103,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
             Quantity::Force(Force::Spin, share) if asked.unit.symbol.starts_with("rad/") => {
-                let rpm = super::governor::rpm();
-                let told = figures.told(asked.quantity, *value, &rpm, notation);
-                let turns = told.unwrap_or_else(|| human::quantity(*value, &rpm));
+                let turns = human::quantity(*value, &super::governor::rpm());
                 let sense = match share {
                     Share::Rising => words.governor_up,
                     Share::Falling => words.governor_down,

@@ -241,10 +241,17 @@ impl Rich {
     #[must_use]
     pub fn fill(template: &str, parts: &[(&str, Self)]) -> Self {
         let islands = template.chars().any(is_arabic);
+        // What stands between two places without a word is a sign of the formula of which both are parts.
+        let sign = |text: &str| {
+            let signs = "=·×/+−≡ \u{a0}";
+            !text.trim().is_empty() && text.chars().all(|c| signs.contains(c))
+        };
         let mut out = Self::default();
         let mut rest = template;
         while let Some(open) = rest.find('{') {
-            out = out.up(&rest[..open]);
+            let between = &rest[..open];
+            let inside = islands && !out.is_empty() && sign(between);
+            out = if inside { out.with_item(between, Face::Upright, true) } else { out.up(between) };
             let Some(length) = rest[open..].find('}') else { break };
             let name = &rest[open + 1..open + length];
             if let Some((_, part)) = parts.iter().find(|(n, _)| *n == name) {
@@ -434,7 +441,13 @@ impl Rich {
     pub fn wrap(&self, size: f64, width: f64) -> Vec<Self> {
         let mut lines: Vec<Self> = Vec::new();
         let mut line = Self::default();
-        for word in self.words().iter().flat_map(|word| word.cut(size, width)) {
+        // A line of an Arabic text is set like the whole, also where only a formula stands in it.
+        let right_to_left = !self.left_to_right && (self.right_to_left || self.is_arabic());
+        let mut words = self.words();
+        if right_to_left {
+            words = with_their_signs(words);
+        }
+        for word in words.iter().flat_map(|word| word.cut(size, width)) {
             let longer = if line.is_empty() { word.clone() } else { line.clone().then_word(&word) };
             if longer.width(size) <= width || line.is_empty() {
                 line = longer;
@@ -445,8 +458,6 @@ impl Rich {
         if !line.is_empty() {
             lines.push(line);
         }
-        // A line of an Arabic text is set like the whole, also where only a formula stands in it.
-        let right_to_left = !self.left_to_right && (self.right_to_left || self.is_arabic());
         for line in &mut lines {
             line.left_to_right = self.left_to_right;
             line.right_to_left = right_to_left;
@@ -460,6 +471,26 @@ impl Rich {
         let inside = island(self.items.last()) && island(word.items.first());
         self.with_item(" ", Face::Upright, inside).then(word)
     }
+}
+
+/// The words of a text that runs from right to left, the signs of its formulas with what follows them: a formula's line would
+/// end with a sign beside the word before the formula.
+fn with_their_signs(words: Vec<Rich>) -> Vec<Rich> {
+    let is_sign = |word: &Rich| {
+        let inside = word.items.iter().all(|item| item.island);
+        inside && matches!(word.plain().trim_matches('\u{a0}'), "=" | "·" | "×" | "/" | "+" | "−" | "≡")
+    };
+    let mut all: Vec<Rich> = Vec::new();
+    let mut sign: Option<Rich> = None;
+    for word in words {
+        let word = match sign.take() {
+            Some(sign) => sign.with_item("\u{a0}", Face::Upright, true).then(&word),
+            None => word,
+        };
+        if is_sign(&word) { sign = Some(word) } else { all.push(word) }
+    }
+    all.extend(sign);
+    all
 }
 
 /// The face in which a character stands in a text of this face.

@@ -5,11 +5,14 @@ use std::collections::HashMap;
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::centres::{self, is_needed, taking_in, window_over};
 use super::compose::{Draft, Filled, free_paper};
 use super::overlap::clip;
 use super::transfer;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::Construction;
+use crate::graphical::construction::{
+    Centre, CentrePlace, CircleDiagram, Construction, Mm2, Transfer, TransferInk,
+};
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::quantity::{Dimension, Method, Quantity};
 use crate::mechanism::{Mechanism, PointId, Roll};
@@ -48,11 +51,13 @@ const NAMES: f64 = 13.0;
 const AROUND_DRAWN: f64 = 58.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
+/// Of a mechanism of more links the text fills so many pages that no scale saves one: its scales are chosen without it.
+const PAGED: usize = 60;
 /// A diagram that is less than this part of what is large enough is too small.
 const SMALL: f64 = 0.35;
 
 /// Room for the skeleton of a question with its dimension lines, width and height in mm.
-pub const QUESTION: (f64, f64) = (138.0, 142.0);
+pub const QUESTION: (f64, f64) = (150.0, 150.0);
 
 /// The scales of a question: as for a solution, but the skeleton has the row to itself.
 #[must_use]
@@ -151,7 +156,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
             vectors: &extent.vectors,
         }
     });
-    let drawn = extents.drawn.as_ref();
+    let drawn = extents.drawn.as_ref().filter(|_| scene.mechanism.links.len() <= PAGED);
     let choices = Choices {
         all: [skeleton].into_iter().chain(diagrams).collect(),
         stretch: stretch(scene),
@@ -198,14 +203,16 @@ struct Choices<'a> {
 }
 
 /// What stands on a sheet besides the skeleton and the polygons.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 struct Others {
     /// Whether the skeleton has a legend.
     legend: bool,
     /// How many links the circle diagram has; none where there is none.
     circle: Option<usize>,
-    /// How many figures carry velocities over.
-    transfers: usize,
+    /// The instant centres, m from the origin of the joints, and whether each is asked for or used.
+    centres: Vec<([f64; 2], bool)>,
+    /// Of each figure that carries velocities over, where its arcs begin and end, m.
+    turned: Vec<Vec<[f64; 2]>>,
     /// Whether Klein's construction follows.
     klein: bool,
     /// Whether other constructions or forces follow, of which nothing is known yet.
@@ -217,14 +224,38 @@ impl Others {
         let mechanism = &scene.mechanism;
         let apart = |method: Method| matches!(method, Method::TwoMasses { .. } | Method::Lever);
         let forces = |quantity: Quantity| matches!(quantity, Quantity::Force(..) | Quantity::Cycle(_));
+        let metres = |at: Mm2| at.map(|x| x * drawn.space.metres_per_mm);
+        let centre = |circle: &CircleDiagram, centre: &Centre| match centre.place {
+            CentrePlace::At(at) => Some((metres(at), is_needed(centre, circle, mechanism))),
+            CentrePlace::Toward(_) => None,
+        };
+        let centres = |circle: &CircleDiagram| {
+            circle.centres.iter().filter_map(|own| centre(circle, own)).collect::<Vec<_>>()
+        };
+        let arc = |ink: TransferInk| match ink {
+            TransferInk::Arc { from, to, .. } => vec![metres(from), metres(to)],
+            _ => Vec::new(),
+        };
+        let arcs = |figure: Vec<&Transfer>| transfer::strokes(&figure).into_iter().flat_map(arc).collect();
+        let methods = drawn.circle.iter().flat_map(transfer::by_method);
         Self {
             legend: !scene.sheet.positions.is_empty() || scene.sheet.other_assembly,
             circle: drawn.circle.as_ref().map(|_| mechanism.links.len()),
-            transfers: drawn.circle.as_ref().map_or(0, |circle| transfer::by_method(circle).len()),
+            centres: drawn.circle.iter().flat_map(centres).collect(),
+            turned: methods.map(arcs).collect(),
             klein: mechanism.asked.iter().any(|asked| asked.method == Method::Klein),
             more: mechanism.asked.iter().any(|asked| apart(asked.method) || forces(asked.quantity)),
         }
     }
+}
+
+/// What goes over the edge of the figures of centres.
+#[derive(Debug, Clone, Copy, Default)]
+struct OverTheEdge {
+    /// Centres that are asked for or used, and ends of arcs, without which nobody sees what is turned.
+    needed: usize,
+    /// Other centres: lines run to the edge, with the distance.
+    other: usize,
 }
 
 /// Scales of all diagrams, SI per mm; none where nothing has a size.
@@ -240,8 +271,10 @@ impl Choices<'_> {
         const LARGER: f64 = 18.0;
         /// What a name that finds no room, or a diagram that is too small, costs.
         const LACK: f64 = 25.0;
-        /// What a point too near to another costs.
+        /// What a point too near to another costs, and a centre that nobody asked for and that goes over the edge.
         const CROWDING: f64 = 12.0;
+        /// What a centre that is needed costs where it goes over the edge.
+        const LOST: f64 = 250.0;
         /// What a page costs, and a last page with nothing on it.
         const PAGE: f64 = 80.0;
         const WASTE: f64 = 100.0;
@@ -260,7 +293,11 @@ impl Choices<'_> {
             let own =
                 if size < enough { SIZE * (1.0 - enough / size) } else { LARGER * libm::log(size / enough) };
             let lack = self.nameless(i, scale) + usize::from(size < SMALL * enough);
-            own - LACK * lack as f64 - CROWDING * self.crowding(i, scale) as f64
+            // The figures of centres and of velocities carried over have the scale of the skeleton.
+            let figures = if i == 0 && self.others.circle.is_some() { 2.0 } else { 1.0 };
+            let crowding = self.crowding(i, scale) + if i == 0 { self.over_the_edge(scale).other } else { 0 };
+            let lost = if i == 0 { self.over_the_edge(scale).needed } else { 0 };
+            figures * own - LACK * lack as f64 - CROWDING * crowding as f64 - LOST * lost as f64
         };
         let waste = |filled: Filled| match filled.pages {
             1 => 0.0,
@@ -269,14 +306,16 @@ impl Choices<'_> {
         };
         let mut ways: Vec<(Chosen, f64)> = vec![(Vec::new(), 0.0)];
         for (i, least) in self.least().into_iter().enumerate() {
-            // Where it is not known what follows no diagram is larger than its names and points need. Figures of centres and of
-            // velocities carried over reach further than the skeleton under them, and have more on them: it keeps its scale.
+            // Where it is not known what follows no polygon is larger than its names and points need, and no skeleton, which
+            // has the scale of its free bodies and of constructions, than is enough. Figures of centres and of
+            // velocities carried over reach further than the skeleton under them: what is asked for stays on the paper.
             let lacks = |scale: Option<f64>| self.nameless(i, scale) + self.crowding(i, scale);
-            let far = i == 0 && self.others.circle.is_some();
+            let lost = |scale: Option<f64>| if i == 0 { self.over_the_edge(scale).needed } else { 0 };
             let may = |scale: &Option<f64>| {
                 let larger = scale.zip(least).is_some_and(|(own, least)| own < least);
-                let suits = || !larger || !self.others.more || lacks(*scale) < lacks(least);
-                if far { *scale == least } else { suits() }
+                let small = i == 0 && self.size(i, *scale) <= self.enough(i);
+                let suits = !larger || !self.others.more || small || lacks(*scale) < lacks(least);
+                suits && lost(*scale) <= lost(least)
             };
             let own = self.around(i, least).into_iter().filter(may);
             let own: Vec<(Option<f64>, f64)> = own.map(|scale| (scale, worth_of(i, scale))).collect();
@@ -326,11 +365,19 @@ impl Choices<'_> {
         let (wide, high) = self.stretch;
         let quarter = 115.0 * (wide * high).sqrt().max(1.0);
         let part = match i {
-            0 => BARE + JOINT * choice.points.len() as f64,
+            0 => BARE + JOINT * (choice.points.len() + self.constructed()) as f64,
             _ => BARE + NAME * (choice.points.len() + choice.vectors.len()) as f64,
         };
         let positions = if i == 0 && self.others.legend { POSITIONS } else { 1.0 };
         quarter * part.clamp(OF_A_QUARTER[0], OF_A_QUARTER[1]) * positions
+    }
+
+    /// How many instant centres lie where no joint is.
+    fn constructed(&self) -> usize {
+        let joints = self.all[0].points;
+        let near = self.all[0].size[0].max(self.all[0].size[1]) * 1e-3;
+        let apart = |at: &[f64; 2]| !joints.iter().any(|j| libm::hypot(j[0] - at[0], j[1] - at[1]) < near);
+        self.others.centres.iter().filter(|(at, _)| apart(at)).count()
     }
 
     /// How many names of a diagram find no room beside what they name.
@@ -388,9 +435,18 @@ impl Choices<'_> {
         // One that is a little smaller may save a page.
         let follows =
             |own: f64| round_below(own / per, i == 0).is_some_and(|x| (x * per / scale - 1.0).abs() < 1e-9);
+        let lost = |own: f64| i == 0 && self.over_the_edge(Some(own)).needed > 0;
         let smaller = [1.25, 2.0].into_iter().map(|by| scale * by);
         let large = |own: &f64| self.size(i, Some(*own)) > LEAST * self.enough(i);
         let own = smaller.filter(|own| is_round(own / per, i == 0)).find(|own| follows(*own));
+        // Or take in a centre that is needed.
+        if lost(scale) {
+            let below = [1.25, 2.0, 2.5, 4.0, 5.0]
+                .into_iter()
+                .map(|by| scale * by)
+                .filter(|own| is_round(own / per, true));
+            all.extend(below.filter(|own| !lost(*own)).take(1).map(Some));
+        }
         all.extend(own.filter(large).map(Some));
         while let Some(next) = round_below(scale / per, i == 0).map(|next| next * per)
             && next > most * (1.0 - 1e-9)
@@ -415,6 +471,55 @@ impl Choices<'_> {
         near + (lacking / PER_NAME).max(0.0) as usize
     }
 
+    /// The skeleton's ink at a scale, about.
+    fn skeleton(&self, scale: f64) -> Rect {
+        /// What supports and names add on each side.
+        const AROUND: f64 = 7.0;
+        let on_paper = self.all[0].points.iter().map(|at| Point::new(at[0] / scale, at[1] / scale));
+        let joints =
+            on_paper.map(|at| Rect::from_points(at, at)).reduce(|a, b| a.union(b)).unwrap_or_default();
+        let [w, h] = self.all[0].size.map(|side| side / scale);
+        joints.union(Rect::from_center_size(joints.center(), (w, h))).inflate(AROUND, AROUND)
+    }
+
+    /// What the figure of centres shows of the plane at a scale.
+    fn window_of_centres(&self, scale: f64) -> Rect {
+        let centres: Vec<(Point, bool)> = self
+            .others
+            .centres
+            .iter()
+            .map(|(at, asked)| (Point::new(at[0] / scale, at[1] / scale), *asked))
+            .collect();
+        window_over(self.skeleton(scale), &centres, self.paper)
+    }
+
+    /// What the figures that carry velocities over show of it.
+    fn windows_of_turning(&self, scale: f64) -> Vec<Rect> {
+        let skeleton = self.skeleton(scale);
+        let most = (transfer::LARGEST.0 * self.stretch.0, transfer::LARGEST.1 * self.stretch.1);
+        let window = |ends: &Vec<[f64; 2]>| {
+            let ends = ends.iter().map(|at| Point::new(at[0] / scale, at[1] / scale)).collect();
+            let start = skeleton.inflate(transfer::BORDER, transfer::BORDER);
+            taking_in(start, ends, skeleton.center(), transfer::BLANK, most)
+        };
+        self.others.turned.iter().map(window).collect()
+    }
+
+    /// What goes over the edge of those figures.
+    fn over_the_edge(&self, scale: Option<f64>) -> OverTheEdge {
+        let Some(scale) = scale else { return OverTheEdge::default() };
+        let outside =
+            |window: &Rect, at: &[f64; 2]| !window.contains(Point::new(at[0] / scale, at[1] / scale));
+        let window = self.window_of_centres(scale);
+        let centres = |asked: bool| {
+            self.others.centres.iter().filter(|(at, own)| *own == asked && outside(&window, at)).count()
+        };
+        let windows = self.windows_of_turning(scale);
+        let turned = windows.iter().zip(&self.others.turned);
+        let ends = turned.map(|(window, ends)| ends.iter().filter(|at| outside(window, at)).count());
+        OverTheEdge { needed: centres(true) + ends.sum::<usize>(), other: centres(false) }
+    }
+
     /// How the pages fill at these scales where the text is so much longer, with so much blank to spare, mm.
     fn filled(&self, scales: &[Option<f64>], longer: f64, spare: f64) -> Option<Filled> {
         /// What supports, names and caption add to a skeleton's width and height.
@@ -426,10 +531,6 @@ impl Choices<'_> {
         const DETAIL: f64 = 8.0;
         /// Height of a circle diagram with its steps, of up to five links and of more.
         const CIRCLE: [f64; 2] = [86.0, 112.0];
-        /// What lines to far centres add to a skeleton's height.
-        const FAR: f64 = 38.0;
-        /// What arrows add.
-        const ARROWS: f64 = 12.0;
         /// What Klein's circles add to the height, of the width, and the height of what is told of them.
         const KLEIN: f64 = 0.5;
         const KLEIN_TEXT: f64 = 115.0;
@@ -450,10 +551,12 @@ impl Choices<'_> {
             Some([(w + POLYGON[0]).max(CAPTION), h + POLYGON[1] + detail])
         }));
         if let Some(links) = others.circle {
-            blocks.push([self.paper.0, h + SKELETON[1] + FAR]);
+            let figure = |window: Rect| [window.width().max(CAPTION), window.height() + centres::AROUND.1];
+            let scale = scales[0];
+            blocks.extend(scale.map(|scale| figure(self.window_of_centres(scale))));
             blocks.push([self.paper.0.min(150.0), CIRCLE[usize::from(links > 5)]]);
+            blocks.extend(scale.iter().flat_map(|scale| self.windows_of_turning(*scale)).map(figure));
         }
-        blocks.extend((0..others.transfers).map(|_| [wide + ARROWS, h + SKELETON[1] + ARROWS]));
         if others.klein {
             blocks.push([wide, h + SKELETON[1] + KLEIN * w]);
         }

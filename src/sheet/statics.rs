@@ -7,8 +7,9 @@ use super::forces::{ForcePanel, per_mm, pole};
 use super::given::{handy, largest};
 use super::human;
 use super::notation::Notation;
+use super::printed::{Figures, Key, either};
 use super::rich::Rich;
-use super::steps::{Figures, Item, Key, either};
+use super::steps::Item;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
@@ -288,7 +289,12 @@ impl Teller<'_> {
         if *unit == *told {
             return line;
         }
-        line.up(EQUALS).then(&human::quantity(number * unit.si, told))
+        let shown = human::quantity(number * unit.si, told);
+        // Where rounding twice would be seen the first number has a figure more.
+        if let Some(key) = result.key.filter(|_| shown != human::quantity(result.si, told)) {
+            self.figures.borrow_mut().want(key);
+        }
+        line.up(EQUALS).then(&shown)
     }
 
     fn acceleration(&self) -> Unit {
@@ -358,12 +364,20 @@ impl Teller<'_> {
                         let less = n.get(1).map_or(0.0, |rod| rod * rod);
                         std::f64::consts::PI / 4.0 * (n[0] * n[0] - less)
                     };
-                    lines.push(self.line_of_area(formula, &factors, set, reckon, result));
+                    lines.push(self.line_of_area(
+                        formula,
+                        &factors,
+                        set,
+                        reckon,
+                        result.of(Key::Area(index)),
+                    ));
                     value
                 }
             };
-            let factors = [Factor::new(pressure, &units.pressure, "Pa"), Factor::new(size, &square, "m²")];
-            let result = Factor::new(pressure * size, &units.force, "N");
+            let area = Factor::new(size, &square, "m²").of(Key::Area(index));
+            let factors = [Factor::new(pressure, &units.pressure, "Pa"), area];
+            let load = self.whole(Force::Vector(Action::Load(index)));
+            let result = Factor::new(pressure * size, &units.force, "N").of(load);
             let formula = Rich::italic("p").up(DOT).it("A");
             lines.push(self.line(name, formula, &factors, product, |n| n.iter().product(), result));
         }

@@ -1,13 +1,14 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 
 use super::given::{StatedLength, dimensions};
 use super::human;
+use super::known::Known;
 use super::notation::Notation;
 use super::panels::Panel;
-use super::polygon::vector_name;
+use super::polygon::{seen_from, vector_name};
+use super::printed::{Figures, Key, absolute};
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use super::words::counted;
@@ -16,7 +17,6 @@ use crate::graphical::construction::{
     Vector, VectorKind,
 };
 use crate::graphical::is_a_point;
-use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
@@ -36,11 +36,10 @@ pub enum Item {
     Sentence(Rich),
 }
 
-/// All steps in order, and what is printed in them.
+/// All steps in order.
 #[must_use]
-pub fn items(construction: &Construction, notation: &Notation<'_>) -> (Vec<Item>, Figures) {
-    let (told, figures) = told(construction, notation);
-    (told.into_iter().flat_map(|told| told.items).collect(), figures)
+pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    by_step(construction, notation).into_iter().flat_map(|told| told.items).collect()
 }
 
 /// What is said of a step.
@@ -59,25 +58,24 @@ pub struct Told {
 /// The same step by step.
 #[must_use]
 pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told> {
-    told(construction, notation).0
+    settled(|figures| tell(construction, notation, figures))
 }
 
-/// Step by step, and what is printed in them. What is used later in a line that would not close has the figures that this
-/// line needs where it is first told.
-#[must_use]
-pub fn told(construction: &Construction, notation: &Notation<'_>) -> (Vec<Told>, Figures) {
+/// What is told, with numbers as they are printed. What is used later in a line that would not close has the figures that this
+/// line needs where it is first told: it is told again until every line has what it needs.
+pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> T {
     /// What needs figures for what needs figures, and so on: further back the steps do not look.
     const ROUNDS: usize = 6;
-    let mut figures = Figures::default();
-    for round in 0.. {
-        let next = RefCell::new(figures.again());
-        let told = tell(construction, notation, &next);
-        figures = next.into_inner();
-        if figures.suffice() || round == ROUNDS {
-            return (told, figures);
+    let mut next = RefCell::new(Figures::default());
+    let mut told = tell(&next);
+    for _ in 0..ROUNDS {
+        if next.borrow().suffice() {
+            break;
         }
+        next = RefCell::new(next.into_inner().again());
+        told = tell(&next);
     }
-    (Vec::new(), figures)
+    told
 }
 
 fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Told> {
@@ -130,13 +128,22 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
                 continue;
             }
             if let Act::MeasureLength { from, to, .. } = act {
-                if own_coordinates_tell(notation, [*from, *to]) || measured.contains(&[*from, *to]) {
+                let told = figures.borrow().has(Key::length([*from, *to]));
+                if own_coordinates_tell(notation, [*from, *to]) || told || measured.contains(&[*from, *to]) {
                     continue;
                 }
                 measured.push([*from, *to]);
             }
-            if let Some(line) = known.missing(act) {
+            for line in known.missing_rate(act).into_iter().chain(known.missing(act)) {
                 own.say(Item::Sentence(line), None);
+            }
+            // What is read off the figure of the link itself is no distance of two points that stand already.
+            let stands_later = |to: PointId| {
+                let mut later = step.acts[index..].iter();
+                later.any(|act| matches!(act, Act::MarkIntersection { point, .. } if *point == to))
+            };
+            if matches!(act, Act::MeasureLength { to, .. } if stands_later(*to)) {
+                continue;
             }
             if let Some(line) = teller.act(act) {
                 own.say(Item::Sentence(line), (!matches!(act, Act::Calculate(_))).then_some(index));
@@ -168,7 +175,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     if let Some(circle) = &construction.circle {
         more(Panel::Centres, super::circle::items(circle, notation));
         for (index, mut items) in
-            super::transfer::items(circle, construction, notation).into_iter().enumerate()
+            super::transfer::items(circle, construction, notation, figures).into_iter().enumerate()
         {
             // Where no polygon is drawn, velocities begin here.
             if let Some(lines) = conversions.take() {
@@ -183,7 +190,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     // The lever takes up forces that were laid off before.
     let (levers, auxiliary): (Vec<_>, Vec<_>) = auxiliary.partition(|(_, drawing)| drawing.is_lever());
     for (index, drawing) in auxiliary {
-        let mut items = super::auxiliary::items(drawing, construction, notation, figures);
+        let mut items = super::auxiliary::items(index, drawing, construction, notation, figures);
         // Where nothing else tells of velocities, they begin here.
         if let Some(lines) = conversions.take_if(|_| matches!(drawing.kind, Auxiliary::Klein { .. })) {
             let after_head = items.len().min(1);
@@ -204,7 +211,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         }
     }
     for (index, drawing) in levers {
-        let items = super::auxiliary::items(drawing, construction, notation, figures);
+        let items = super::auxiliary::items(index, drawing, construction, notation, figures);
         more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.cycle {
@@ -258,7 +265,7 @@ fn in_order(step: &Step) -> Vec<Part> {
     let takes = |equation: &Equation, index: usize| {
         let Act::Calculate(calculation) = &step.acts[index] else { return false };
         let terms = || equation.left.iter().chain(&equation.right);
-        calculated(calculation).is_some_and(|known| terms().any(|term| term.quantity == known))
+        calculated(calculation).is_some_and(|(known, _)| terms().any(|term| term.quantity == known))
     };
     let mut all: Vec<Part> = early.into_iter().map(Part::Act).collect();
     let mut waiting: Vec<(usize, Option<usize>)> = Vec::new();
@@ -277,14 +284,15 @@ fn in_order(step: &Step) -> Vec<Part> {
     all
 }
 
-/// The vector whose magnitude a calculation gives.
-fn calculated(calculation: &Calculation) -> Option<Quantity> {
+/// The vector whose magnitude a calculation gives, and against which point of its link.
+pub(super) fn calculated(calculation: &Calculation) -> Option<(Quantity, Option<PointId>)> {
     match *calculation {
-        Calculation::Speed { quantity, .. }
-        | Calculation::Normal { quantity, .. }
-        | Calculation::Tangential { quantity, .. }
-        | Calculation::Coriolis { quantity, .. }
-        | Calculation::SlipNormal { quantity, .. } => Some(quantity),
+        Calculation::Speed { quantity, ends, .. }
+        | Calculation::Normal { quantity, ends, .. }
+        | Calculation::Tangential { quantity, ends, .. } => Some((quantity, Some(ends[0]))),
+        Calculation::Coriolis { quantity, .. } | Calculation::SlipNormal { quantity, .. } => {
+            Some((quantity, None))
+        }
         Calculation::Omega { .. }
         | Calculation::Alpha { .. }
         | Calculation::Translation { .. }
@@ -341,7 +349,8 @@ pub fn read(
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
     let factor = polygon.si_per_mm / unit.si;
-    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, figures.more(key).min(1));
+    let more = figures.more_of_reading(key, polygon.kind, mm);
+    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, more.min(1));
     figures.note(key, &amount, (written, value / unit.si), &unit);
     let reading = reading
         .up("\u{a0}×\u{a0}")
@@ -352,364 +361,8 @@ pub fn read(
     Rich::fill(words.read_vector, &[("vector", vector), ("image", image), ("reading", reading)])
 }
 
-/// What was given, read or calculated so far: nothing else may stand in a line.
-struct Known<'a> {
-    quantities: Vec<Quantity>,
-    construction: &'a Construction,
-    notation: &'a Notation<'a>,
-    figures: &'a RefCell<Figures>,
-}
-
-/// What a number is of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Key {
-    /// The magnitude of a quantity.
-    Of(Quantity),
-    /// The distance of two points on the skeleton, the first of lower number.
-    Length([PointId; 2]),
-    /// The part of a force along the line of a link, or across it.
-    Part(Action, Across),
-    /// An arm of a force by its number on the sheet.
-    Arm(usize),
-    /// What a letter says of a link: its mass, weight, moment of inertia.
-    OfLink(&'static str, LinkId),
-    /// What a letter says of the whole: the period, the speed of a diagram without links.
-    Given(&'static str),
-}
-
-/// Whether a part of a force is that across the line of a link.
-pub type Across = bool;
-
-impl Key {
-    pub(super) fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
-        Self::Of(absolute(quantity, notation))
-    }
-
-    pub(super) fn length([p, q]: [PointId; 2]) -> Self {
-        Self::Length([p.min(q), p.max(q)])
-    }
-}
-
-/// How each number is printed on a sheet, wherever it stands there: as it was told first.
-#[derive(Debug, Clone, Default)]
-pub struct Figures {
-    printed: HashMap<Key, Print>,
-    /// The same of constructions on the skeleton, which have readings of their own.
-    apart: HashMap<Key, Print>,
-    /// What has so many figures more than usual, because a line that uses it needs them.
-    finer: HashMap<Key, usize>,
-    /// What lines would have needed so many for.
-    wanted: HashMap<Key, usize>,
-}
-
-/// A number as it is printed.
-#[derive(Debug, Clone)]
-struct Print {
-    text: Rich,
-    /// The number that stands there.
-    number: f64,
-    /// The number that it stands for, in the same unit.
-    exact: f64,
-    unit: Unit,
-}
-
-/// No number has so many figures more than usual that another does not close without.
-const MOST_MORE: usize = 2;
-
-impl Figures {
-    /// Begins again with what was wanted.
-    fn again(&self) -> Self {
-        let mut finer = self.finer.clone();
-        for (key, more) in &self.wanted {
-            let own = finer.entry(*key).or_insert(0);
-            *own = (*own).max(*more);
-        }
-        Self { finer, ..Self::default() }
-    }
-
-    /// How the rates of the inputs are printed, and nothing else.
-    pub(super) fn of_inputs(&self, notation: &Notation<'_>) -> Self {
-        let driven = |key: &Key| {
-            let inputs = &notation.mechanism().inputs;
-            inputs.iter().any(|input| match (input, key) {
-                (Input::Angle { link, .. } | Input::Speed { link, .. }, Key::Of(of)) => {
-                    matches!(of, Quantity::Omega(l) | Quantity::Alpha(l) if l == link)
-                }
-                _ => false,
-            })
-        };
-        let printed = self.printed.iter().filter(|(key, _)| driven(key));
-        Self { printed: printed.map(|(key, print)| (*key, print.clone())).collect(), ..Self::default() }
-    }
-
-    /// Keeps what a construction on the skeleton told.
-    pub(super) fn keep_apart(&mut self, own: &Self) {
-        self.apart.extend(own.printed.iter().map(|(key, print)| (*key, print.clone())));
-    }
-
-    /// A magnitude as a construction on the skeleton told it.
-    pub fn told_apart(&self, quantity: Quantity, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
-        let print = self.apart.get(&Key::of(quantity, notation)).filter(|print| print.unit == *unit)?;
-        Some(human::with_unit(&print.text, &unit.symbol))
-    }
-
-    /// Whether everything has the figures that lines need of it.
-    fn suffice(&self) -> bool {
-        self.wanted.iter().all(|(key, more)| self.more(*key) >= *more)
-    }
-
-    /// How many figures more than usual a number has.
-    pub(super) fn more(&self, key: Key) -> usize {
-        self.finer.get(&key).copied().unwrap_or(0)
-    }
-
-    pub(super) fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
-        let print = Print { text: text.clone(), number, exact, unit: unit.clone() };
-        self.printed.entry(key).or_insert(print);
-    }
-
-    /// A magnitude as it is printed in this unit; of what was not told yet as it is told from now on.
-    pub(super) fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
-        self.number(key, si, unit).0
-    }
-
-    /// The same with the number that stands there.
-    fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
-        if let Some(print) = self.printed.get(&key).filter(|print| print.unit == *unit) {
-            return (print.text.clone(), print.number);
-        }
-        let (text, number) = human::given(si.abs() / unit.si, self.more(key));
-        self.note(key, &text, (number, si.abs() / unit.si), unit);
-        (text, number)
-    }
-
-    /// A number that is another one, too: it stands there as that does.
-    pub(super) fn alias(&mut self, key: Key, of: Key) {
-        if let Some(more) = self.finer.get(&key).copied() {
-            let own = self.wanted.entry(of).or_insert(0);
-            *own = (*own).max(more);
-        }
-        if let (Some(print), false) = (self.printed.get(&of).cloned(), self.printed.contains_key(&key)) {
-            self.printed.insert(key, print);
-        }
-    }
-
-    /// Whether a number is printed already.
-    pub(super) fn has(&self, key: Key) -> bool {
-        self.printed.contains_key(&key)
-    }
-
-    /// A magnitude as it was told in the steps; that of a link which turns with another as that one's was told.
-    pub fn told(&self, quantity: Quantity, si: f64, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
-        /// What differs by a larger part is not the same number.
-        const OTHER: f64 = 0.01;
-        let own = si.abs() / unit.si;
-        let kind = std::mem::discriminant(&quantity);
-        let alike = |(key, print): &(&Key, &Print)| match key {
-            Key::Of(other) => {
-                std::mem::discriminant(other) == kind
-                    && print.unit == *unit
-                    && (print.exact - own).abs() <= 1e-9 * own
-            }
-            Key::Length(_) | Key::Part(..) | Key::Arm(_) | Key::OfLink(..) | Key::Given(_) => false,
-        };
-        let print = self.printed.get(&Key::of(quantity, notation));
-        // Of what the halves of a governor share the steps tell the part of one.
-        let print = print.filter(|print| (print.exact * print.unit.si - si.abs()).abs() <= OTHER * si.abs());
-        // Of several that are one number any tells it, the least first, so that a sheet is always the same.
-        let print = print.or_else(|| {
-            let all = self.printed.iter().filter(alike).map(|(_, print)| print);
-            all.min_by(|a, b| a.number.total_cmp(&b.number))
-        })?;
-        if print.unit == *unit {
-            return Some(human::with_unit(&print.text, &unit.symbol));
-        }
-        Some(human::quantity(print.number * print.unit.si, unit))
-    }
-
-    /// The factors of a line as they are printed, and its result: that of the printed factors.
-    fn line<const N: usize>(
-        &mut self,
-        factors: [(Key, f64, &Unit); N],
-        (key, si, unit): (Key, f64, &Unit),
-        reckon: impl Fn([f64; N]) -> f64,
-    ) -> ([Rich; N], Rich) {
-        let factors = factors.map(|(key, si, unit)| (Some(key), si, unit));
-        let reckon = |numbers: &[f64]| reckon(std::array::from_fn(|i| numbers[i]));
-        let (numbers, text, _) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
-        (std::array::from_fn(|i| numbers[i].clone()), text)
-    }
-
-    /// The same of as many factors as there are; what has no key stands in no other line. A result that the factors do not
-    /// give in the figures of a sheet, a small difference, is given by as many figures as it takes. Last the number that
-    /// stands there for the result.
-    pub(super) fn line_of(
-        &mut self,
-        factors: &[(Option<Key>, f64, &Unit)],
-        result: (Option<Key>, f64, &Unit),
-        reckon: impl Fn(&[f64]) -> f64,
-    ) -> (Vec<Rich>, Rich, f64) {
-        /// By so much of a result what is reckoned from printed numbers may differ from it: half of the third figure.
-        const FAR: f64 = 5e-3;
-        self.reckoned(factors, result, reckon, FAR)
-    }
-
-    fn reckoned(
-        &mut self,
-        factors: &[(Option<Key>, f64, &Unit)],
-        (key, si, unit): (Option<Key>, f64, &Unit),
-        reckon: impl Fn(&[f64]) -> f64,
-        far: f64,
-    ) -> (Vec<Rich>, Rich, f64) {
-        let tell = |(key, si, unit): &(Option<Key>, f64, &Unit)| match key {
-            Some(key) => self.number(*key, *si, unit),
-            None => human::given(si.abs() / unit.si, 0),
-        };
-        let told: Vec<(Rich, f64)> = factors.iter().map(tell).collect();
-        let printed: Vec<f64> = told.iter().map(|(_, number)| *number).collect();
-        let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
-        let reckoned = reckon(&printed);
-        let exact = si / unit.si;
-        let more = key.map_or(0, |key| self.more(key));
-        let (mut text, mut number) = human::limited(exact, more);
-        if !human::agrees(reckoned, number, exact, more) {
-            // What was read is no nearer to the truth for its figures.
-            let rounded = factors.iter().zip(&printed).all(|((key, si, unit), number)| {
-                let (exact, more) = (si.abs() / unit.si, key.map_or(0, |key| self.more(key)));
-                human::agrees(exact, *number, exact, more)
-            });
-            let most = if rounded { MOST_MORE } else { 1 };
-            for key in factors.iter().filter_map(|(key, ..)| *key) {
-                let more = (self.more(key) + 1).min(most);
-                let own = self.wanted.entry(key).or_insert(0);
-                *own = (*own).max(more);
-            }
-            if (reckoned - exact).abs() <= far * exact.abs() {
-                (text, number) = human::limited(reckoned, more);
-            } else {
-                let values: Vec<f64> = factors.iter().map(|(_, si, unit)| si.abs() / unit.si).collect();
-                numbers = human::closing_all(&values, exact, &reckon);
-            }
-        }
-        if let Some(key) = key {
-            self.note(key, &text, (number.abs(), exact.abs()), unit);
-        }
-        (numbers, text, number)
-    }
-}
-
-/// Relative to a fixed point is not relative.
-fn absolute(quantity: Quantity, notation: &Notation<'_>) -> Quantity {
-    match quantity {
-        Quantity::RelativeVelocity(p, q) if notation.mechanism().is_fixed(q) => Quantity::Velocity(p),
-        Quantity::RelativeAcceleration(p, q) if notation.mechanism().is_fixed(q) => Quantity::Acceleration(p),
-        Quantity::RelativeNormal(p, q) if notation.mechanism().is_fixed(q) => Quantity::Normal(p),
-        Quantity::RelativeTangential(p, q) if notation.mechanism().is_fixed(q) => Quantity::Tangential(p),
-        Quantity::Force(Force::Vector(action), share) => {
-            Quantity::Force(Force::Vector(either(action)), share)
-        }
-        other => other,
-    }
-}
-
-/// Action and reaction are one number.
-pub(super) fn either(action: Action) -> Action {
-    match action {
-        Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
-        Action::OnPin(link, pin) => Action::OfPin(pin, link),
-        other => other,
-    }
-}
-
-impl<'a> Known<'a> {
-    fn given(
-        construction: &'a Construction,
-        notation: &'a Notation<'a>,
-        figures: &'a RefCell<Figures>,
-    ) -> Self {
-        let mechanism = notation.mechanism();
-        let inputs = mechanism.inputs.iter().flat_map(|input| match *input {
-            Input::Angle { link, .. } => vec![Quantity::Omega(link), Quantity::Alpha(link)],
-            Input::Speed { link, point, .. } => {
-                let first = mechanism.link(link).points.first();
-                let stated = first.map(|first| Quantity::RelativeVelocity(point, *first));
-                stated.into_iter().chain([Quantity::Alpha(link)]).collect()
-            }
-            Input::Slide { .. } => Vec::new(),
-        });
-        let stated: Vec<Quantity> = inputs.collect();
-        let mut known = Self { quantities: Vec::new(), construction, notation, figures };
-        stated.into_iter().for_each(|quantity| known.note(quantity));
-        known
-    }
-
-    fn absolute(&self, quantity: Quantity) -> Quantity {
-        absolute(quantity, self.notation)
-    }
-
-    fn note(&mut self, quantity: Quantity) {
-        self.quantities.push(self.absolute(quantity));
-    }
-
-    /// The speed that an act uses before anybody has told it, read off the velocity polygon.
-    fn missing(&mut self, act: &Act) -> Option<Rich> {
-        let Act::Calculate(calculation) = act else { return None };
-        let (quantity, from, speed) = match *calculation {
-            Calculation::Omega { quantity, ends, speed, .. } => (quantity, Some(ends[0]), speed),
-            Calculation::Normal { velocity, ends, speed, .. } => (velocity, Some(ends[0]), speed),
-            Calculation::SlipNormal { slip, speed, .. } | Calculation::Coriolis { slip, speed, .. } => {
-                (slip, None, speed)
-            }
-            _ => return None,
-        };
-        let quantity = self.absolute(quantity);
-        if speed == 0.0 || self.quantities.contains(&quantity) {
-            return None;
-        }
-        self.quantities.push(quantity);
-        let polygon = self.construction.diagram(DiagramKind::Velocity)?;
-        let ends = self.ends(quantity, polygon)?;
-        let name = self.notation.symbol_from(quantity, from);
-        let mm = speed / polygon.si_per_mm;
-        let (mut figures, key) = (self.figures.borrow_mut(), Key::Of(quantity));
-        Some(read(name, ends, mm, speed, polygon, self.notation, (&mut figures, key)))
-    }
-
-    /// The images between which a velocity lies.
-    fn ends(&self, quantity: Quantity, polygon: &Diagram) -> Option<[Label; 2]> {
-        let drawn = polygon.vectors.iter().find(|v| self.absolute(v.quantity) == quantity);
-        if let Some(vector) = drawn {
-            return Some([vector.tail, vector.head]);
-        }
-        let image = |point: PointId| {
-            let mut own = polygon.images.iter().map(|image| image.label);
-            own.find(|label| matches!(label, Label::Image { point: p, .. } if *p == point))
-        };
-        match quantity {
-            Quantity::Velocity(p) => Some([Label::Pole, image(p)?]),
-            Quantity::RelativeVelocity(p, q) => Some([image(q)?, image(p)?]),
-            _ => None,
-        }
-    }
-
-    /// What is known after an act.
-    fn learn(&mut self, act: &Act, diagram: DiagramKind) {
-        let diagram = self.construction.diagram(diagram);
-        let vector = |index: usize| Some(diagram?.vectors.get(index)?.quantity);
-        let known = match act {
-            Act::ReadVector { vector: index, .. }
-            | Act::LayOffVector { vector: index, .. }
-            | Act::LayOffFromCentre { vector: index, .. } => vector(*index),
-            Act::Calculate(Calculation::Omega { link, .. }) => Some(Quantity::Omega(*link)),
-            Act::Calculate(Calculation::Alpha { link, .. }) => Some(Quantity::Alpha(*link)),
-            Act::Calculate(calculation) => calculated(calculation),
-            _ => None,
-        };
-        if let Some(quantity) = known {
-            self.note(quantity);
-        }
-    }
-}
+/// Between two points: the way from one to the other.
+pub(super) const WAY: &str = "\u{2009}→\u{2009}";
 
 /// The driven rates in radians where the scene states them otherwise: 300 rpm are 2π · 300 / 60.
 pub(super) fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich> {
@@ -763,6 +416,12 @@ fn only_rubs(step: &Step) -> bool {
     !step.acts.is_empty() && step.acts.iter().all(rub)
 }
 
+/// A term of an equation with the point against which it is, where its quantity does not say so.
+struct Written {
+    term: Term,
+    from: Option<PointId>,
+}
+
 struct Teller<'a> {
     construction: &'a Construction,
     notation: &'a Notation<'a>,
@@ -813,17 +472,18 @@ impl Teller<'_> {
         let sides = [&equation.left, &equation.right];
         for (side, terms) in sides.into_iter().enumerate() {
             // Coriolis is drawn early and written last.
-            let coriolis = |t: &&Term| matches!(t.quantity, Quantity::Coriolis(..));
+            let coriolis = |t: &&Written| matches!(t.term.quantity, Quantity::Coriolis(..));
+            let terms: Vec<Written> = terms.iter().flat_map(|term| self.written(term)).collect();
             let written = terms.iter().filter(|t| !coriolis(t)).chain(terms.iter().filter(coriolis));
-            for (i, term) in written.enumerate() {
+            for (i, written) in written.enumerate() {
                 if i > 0 || side > 0 {
                     table.columns.push(Align::Middle);
                     table.head.push(Rich::upright(if i > 0 { "+" } else { "=" }));
                     table.rows.iter_mut().for_each(|row| row.push(Rich::default()));
                 }
-                let (magnitude, direction) = self.term(term, &unit);
+                let (magnitude, direction) = self.term(written, &unit);
                 table.columns.push(Align::Middle);
-                table.head.push(self.notation.symbol(term.quantity, true));
+                table.head.push(self.notation.symbol_from(written.term.quantity, written.from, true));
                 for (row, cell) in table.rows.iter_mut().zip([magnitude, direction]) {
                     row.push(cell);
                 }
@@ -832,13 +492,70 @@ impl Teller<'_> {
         table
     }
 
-    fn term(&self, term: &Term, unit: &Unit) -> (Rich, Rich) {
+    /// A term as it is written: the vector of a point of a link that moves with the link by those of its base and against
+    /// this, where the step calculates them. What a hand lays off are these.
+    fn written(&self, term: &Term) -> Vec<Written> {
+        let whole = || vec![Written { term: *term, from: None }];
+        let (order, parts) = match term.quantity {
+            Quantity::CoincidentVelocity(p, l) => (Order::Velocity, vec![Quantity::CoincidentVelocity(p, l)]),
+            Quantity::CoincidentAcceleration(p, l) => (
+                Order::Acceleration,
+                vec![Quantity::CoincidentNormal(p, l), Quantity::CoincidentTangential(p, l)],
+            ),
+            _ => return whole(),
+        };
+        let part = |part: Quantity| {
+            self.step.acts.iter().find_map(|act| {
+                let Act::Calculate(calculation) = act else { return None };
+                let (ends, value, claim) = match *calculation {
+                    Calculation::Speed { quantity, ends, value, .. }
+                    | Calculation::Tangential { quantity, ends, value, .. }
+                        if quantity == part =>
+                    {
+                        (ends, value, Claim::Perpendicular(Reference::Points(ends[0], ends[1])))
+                    }
+                    Calculation::Normal { quantity, ends, value, .. } if quantity == part => {
+                        (ends, value, Claim::Parallel(Reference::Points(ends[0], ends[1])))
+                    }
+                    _ => return None,
+                };
+                let direction = Some(TermDirection::Claim(claim));
+                let term = Term { quantity: part, magnitude: Some(value.abs()), direction };
+                Some((ends[0], Written { term, from: Some(ends[0]) }))
+            })
+        };
+        let parts: Vec<(PointId, Written)> = parts.into_iter().filter_map(part).collect();
+        let Some(base) = parts.first().map(|(base, _)| *base) else { return whole() };
+        if self.notation.mechanism().is_fixed(base) {
+            let told = self.figures.borrow().has(Key::of(term.quantity, self.notation));
+            return if told { whole() } else { parts.into_iter().map(|(_, part)| part).collect() };
+        }
+        let Some(polygon) = self.polygon() else { return whole() };
+        let own = |label: Label| matches!(label, Label::Image { point, .. } if point == base);
+        let Some(image) = polygon.images.iter().find(|image| own(image.label)) else { return whole() };
+        let quantity = match order {
+            Order::Acceleration => Quantity::Acceleration(base),
+            _ => Quantity::Velocity(base),
+        };
+        let magnitude = Some(libm::hypot(image.at[0], image.at[1]) * polygon.si_per_mm);
+        let term = Term { quantity, magnitude, direction: Some(TermDirection::Found) };
+        let first = Written { term, from: None };
+        [first].into_iter().chain(parts.into_iter().map(|(_, part)| part)).collect()
+    }
+
+    fn term(&self, Written { term, from }: &Written, unit: &Unit) -> (Rich, Rich) {
         let unknown = || Rich::upright(self.notation.words.unknown);
+        let key = Key::from(term.quantity, *from, self.notation);
         let magnitude = match term.magnitude {
-            Some(value) => {
-                let key = Key::of(term.quantity, self.notation);
-                Rich::tick().gap(0.15).then(&self.figures.borrow_mut().tell(key, value, unit))
+            // What was found on paper and not read yet is drawn, not a number.
+            Some(value)
+                if value != 0.0
+                    && term.direction == Some(TermDirection::Found)
+                    && !self.figures.borrow().has(key) =>
+            {
+                Rich::tick()
             }
+            Some(value) => Rich::tick().gap(0.15).then(&self.figures.borrow_mut().tell(key, value, unit)),
             None => unknown(),
         };
         let direction = match term.direction {
@@ -863,6 +580,12 @@ impl Teller<'_> {
             Some(polygon) => vector_name(vector, polygon, self.notation),
             None => self.notation.symbol(vector.quantity, false),
         }
+    }
+
+    /// What a drawn vector is called in the list of printed numbers.
+    fn key(&self, vector: &Vector) -> Key {
+        let reference = self.polygon().and_then(|polygon| seen_from(vector, polygon));
+        Key::from(vector.quantity, reference, self.notation)
     }
 
     /// The point by which the sliding of a pair is named.
@@ -1024,16 +747,11 @@ impl Teller<'_> {
                     ("angle", human::degrees(*angle)),
                 ],
             ),
-            Act::StrikeArc { centre, to, radius } => Rich::fill(
-                words.strike_arc,
-                &[
-                    ("centre", n.point(*centre)),
-                    ("length", n.length(*centre, *to)),
-                    ("value", metres(*radius)),
-                    ("mm", human::millimetres(radius / per_mm)),
-                ],
-            ),
-            Act::DrawGuide { slide } => self.draw_guide(*slide),
+            Act::StrikeArc { centre, to, radius } => self.arc_about([*centre, *to], *radius),
+            Act::DrawGuide { slide } => match self.slot_about(*slide) {
+                Some((pin, centre, radius)) => self.arc_about([pin, centre], radius),
+                None => self.arc_to_its_centre(*slide).unwrap_or_else(|| self.draw_guide(*slide)),
+            },
             Act::LayOffAlong { slide, point, length } => {
                 let through = match n.mechanism().slides.get(*slide)?.guide.path {
                     Path::Straight { through, .. } => through,
@@ -1074,7 +792,24 @@ impl Teller<'_> {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
                 warned(met, *crossing, n)
             }
-            Act::TransferPoint { link, point } => self.transfer_point(*link, *point),
+            Act::TransferPoint { link, point } => {
+                let drawn = self.step.acts.iter().find_map(|act| match act {
+                    Act::DrawGuide { slide } => self.slot_about(*slide).filter(|(_, c, _)| c == point),
+                    _ => None,
+                });
+                let length = dimensions(n.mechanism().link(*link), n)
+                    .into_iter()
+                    .find(|d| [d.from, d.to].contains(point))
+                    .filter(|_| drawn.is_some());
+                match length {
+                    Some(d) => {
+                        let other = if d.from == *point { d.to } else { d.from };
+                        let meet = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
+                        self.arc_about([other, *point], d.length).up(" ").then(&meet)
+                    }
+                    None => self.transfer_point(*link, *point),
+                }
+            }
             Act::MeasureLength { from, to, mm, value } => {
                 let (mut figures, key) = (self.figures.borrow_mut(), Key::length([*from, *to]));
                 let (factor, exact) = (per_mm / length_unit.si, value / length_unit.si);
@@ -1098,6 +833,8 @@ impl Teller<'_> {
                 ];
                 let template = match vector {
                     vector if vector.is_zero || *mm == 0.0 => words.vector_is_zero,
+                    // No ruler shows less.
+                    vector if vector.as_point && *mm < 0.05 => words.vector_too_short,
                     vector if vector.as_point => words.vector_as_point,
                     _ => words.lay_off_vector,
                 };
@@ -1159,9 +896,10 @@ impl Teller<'_> {
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;
                 let ends = [vector.tail, vector.head];
-                let (mut figures, key) = (self.figures.borrow_mut(), Key::of(vector.quantity, n));
+                let key = self.key(vector);
+                let mut figures = self.figures.borrow_mut();
                 // What was calculated is not read once more.
-                if figures.printed.contains_key(&key) && !is_a_point(*mm) {
+                if figures.has(key) && !is_a_point(*mm) {
                     return None;
                 }
                 if let Some(line) = self.same_arrow(vector, key, &mut figures) {
@@ -1176,25 +914,86 @@ impl Teller<'_> {
     /// What is known already of a vector by another that is the same arrow: where nothing speeds up the acceleration of a
     /// crank pin is its normal part.
     fn same_arrow(&self, vector: &Vector, key: Key, figures: &mut Figures) -> Option<Rich> {
-        let n = self.notation;
         let polygon = self.polygon()?;
         let same = |other: &&Vector| {
             other.tail == vector.tail && other.head == vector.head && other.quantity != vector.quantity
         };
-        let (other, print) = polygon.vectors.iter().filter(same).find_map(|other| {
-            let print = figures.printed.get(&Key::of(other.quantity, n))?;
-            Some((other, print.clone()))
-        })?;
-        figures.printed.entry(key).or_insert(print.clone());
+        let (other, print) = polygon
+            .vectors
+            .iter()
+            .filter(same)
+            .find_map(|other| Some((other, figures.print_of(self.key(other))?.clone())))?;
+        figures.alias(key, self.key(other));
         let value = human::with_unit(&print.text, &print.unit.symbol);
         let line = self.name(vector).up("\u{a0}= ").then(&self.name(other)).up("\u{a0}= ");
         Some(line.then(&value))
+    }
+
+    fn arc_about(&self, [centre, to]: [PointId; 2], radius: f64) -> Rich {
+        let n = self.notation;
+        Rich::fill(
+            n.words.strike_arc,
+            &[
+                ("centre", n.point(centre)),
+                ("length", n.length(centre, to)),
+                ("value", human::quantity(radius, &n.scene.units.length)),
+                ("mm", human::millimetres(radius / self.construction.space.metres_per_mm)),
+            ],
+        )
+    }
+
+    /// The pin that stands already, the centre, and the radius of a curved slot about a joint of its link which this step
+    /// finds: nobody draws such a slot before its centre stands, which lies on an arc about the pin.
+    fn slot_about(&self, index: usize) -> Option<(PointId, PointId, f64)> {
+        let slide = self.notation.mechanism().slides.get(index)?;
+        let (Rider::Pin { point: pin, .. }, Path::Arc { centre: GuidePoint::Point(centre), radius }) =
+            (slide.rider, slide.guide.path)
+        else {
+            return None;
+        };
+        let found = |of: PointId| {
+            self.step.acts.iter().any(|act| match act {
+                Act::TransferPoint { point, .. } | Act::MarkIntersection { point, .. } => *point == of,
+                _ => false,
+            })
+        };
+        (slide.guide.link != LinkId::FRAME && found(centre) && !found(pin)).then_some((
+            pin,
+            centre,
+            radius.value,
+        ))
+    }
+
+    /// The arc about its rider on which the centre of a curved slot lies that is only found in this step, where that centre is
+    /// no point of the mechanism.
+    fn arc_to_its_centre(&self, index: usize) -> Option<Rich> {
+        let (n, words) = (self.notation, self.notation.words);
+        let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link != LinkId::FRAME)?;
+        let (Path::Arc { centre: GuidePoint::Own(_), radius }, Rider::Pin { point: rider, .. }) =
+            (slide.guide.path, slide.rider)
+        else {
+            return None;
+        };
+        let found = |act: &Act| matches!(act, Act::MarkIntersection { point, .. } if *point == rider);
+        if !self.step.links.contains(&slide.guide.link) || self.step.acts.iter().any(found) {
+            return None;
+        }
+        let parts = [
+            ("centre", n.point(rider)),
+            ("length", Rich::italic("R")),
+            ("value", human::quantity(radius.value, &n.scene.units.length)),
+            ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
+        ];
+        Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&Rich::upright(words.centre_on_arc)))
     }
 
     /// Which guide is drawn, and where.
     fn draw_guide(&self, index: usize) -> Rich {
         let (n, words) = (self.notation, self.notation.words);
         let guide = || ("guide", n.named_guide(index));
+        if let Some(line) = self.guide_before_its_rider(index) {
+            return line;
+        }
         if let Some(line) = n.guide_line(index) {
             return Rich::fill(words.draw_guide_along, &[guide(), ("line", line)]);
         }
@@ -1216,6 +1015,38 @@ impl Teller<'_> {
             }
             _ => Rich::fill(words.draw_guide, &[guide()]),
         }
+    }
+
+    /// The straight guide of a link that stands, where this step finds its rider: by two points of the link, else by its
+    /// angle.
+    fn guide_before_its_rider(&self, index: usize) -> Option<Rich> {
+        let (n, words) = (self.notation, self.notation.words);
+        let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link != LinkId::FRAME)?;
+        let Path::Straight { through: GuidePoint::Point(base), direction, turned, offset } = slide.guide.path
+        else {
+            return None;
+        };
+        if offset.value != 0.0 {
+            return None;
+        }
+        let rider = self.rider(index).filter(|rider| *rider != base)?;
+        let finds = |act: &Act| match act {
+            Act::MarkIntersection { point, .. } | Act::LayOffAlong { point, .. } => *point == rider,
+            _ => false,
+        };
+        if !self.step.acts.iter().any(finds) {
+            return None;
+        }
+        if let (Direction::Toward(target), true) = (direction, turned.value == 0.0) {
+            let parts = [("guide", n.named_guide(index)), ("line", n.length(base, target))];
+            return Some(Rich::fill(words.draw_guide_along, &parts));
+        }
+        let places = &self.construction.space.places;
+        let [from, to] = [base, rider].map(|p| places.get(p.0).copied().flatten());
+        let (from, to) = (from?, to?);
+        let angle = human::degrees(libm::atan2(to[1] - from[1], to[0] - from[0]));
+        let place = ("place", super::given::place_of(GuidePoint::Point(base), n));
+        Some(Rich::fill(words.draw_guide_at, &[("guide", n.named_guide(index)), place, ("angle", angle)]))
     }
 
     /// Which point of a link is marked, and by which of the link's dimensions.
@@ -1244,6 +1075,30 @@ impl Teller<'_> {
             .into_iter()
             .filter(|d| (d.from == point && known(d.to)) || (d.to == point && known(d.from)));
         let mut told: Vec<Rich> = touching.map(length).collect();
+        if let (true, Form::Shape(_)) = (told.is_empty(), &body.form) {
+            // Two distances lead from what stands to a point that has coordinates of its own.
+            let places = &self.construction.space.places;
+            let place = |p: PointId| places.get(p.0).copied().flatten();
+            let standing = body.points.iter().copied().filter(|p| *p != point && known(*p)).take(2);
+            let from = |other: PointId| {
+                let (a, b) = (place(other)?, place(point)?);
+                let mm = libm::hypot(a[0] - b[0], a[1] - b[1]);
+                let unit = &n.scene.units.length;
+                let key = Key::length([other, point]);
+                let value = self.figures.borrow_mut().tell(key, mm * per_mm, unit);
+                let value = human::with_unit(&value, &unit.symbol);
+                let paper = human::millimetres(mm);
+                Some(
+                    n.length(other, point)
+                        .up("\u{a0}=\u{a0}")
+                        .then(&value)
+                        .up("\u{a0}(")
+                        .then(&paper)
+                        .up(")"),
+                )
+            };
+            told = standing.filter_map(from).collect();
+        }
         if told.is_empty() {
             return Rich::fill(n.words.transfer_point, &[own, number]);
         }
@@ -1279,7 +1134,7 @@ impl Teller<'_> {
                 let along = (b[0] - a[0]) * (vector.to[0] - vector.from[0])
                     + (b[1] - a[1]) * (vector.to[1] - vector.from[1]);
                 let (p, q) = if along < 0.0 { (q, p) } else { (p, q) };
-                Rich::upright("∥\u{a0}").then(&n.point(p)).up("\u{2009}→\u{2009}").then(&n.point(q))
+                Rich::upright("∥\u{a0}").then(&n.point(p)).up(WAY).then(&n.point(q))
             }
             Claim::Perpendicular(Reference::Points(p, q)) => {
                 let carries = |l: &LinkId| {
@@ -1372,9 +1227,11 @@ impl Teller<'_> {
         let line = |of: Rich, formula: Rich, numbers: Rich, value: Rich| {
             of.up(equals).then(&formula).up(equals).then(&numbers).up(equals).then(&value)
         };
-        let vector = |quantity: &Quantity, from: PointId| n.symbol_from(*quantity, Some(from));
+        let vector = |quantity: &Quantity, from: PointId| n.symbol_from(*quantity, Some(from), false);
         let rotation = |quantity: Quantity| n.symbol(quantity, false);
         let of = |quantity: Quantity, si: f64, unit| (Key::of(quantity, n), si, unit);
+        let seen =
+            |quantity: Quantity, from: PointId, si: f64, unit| (Key::from(quantity, Some(from), n), si, unit);
         let between = |ends: [PointId; 2], si: f64| (Key::length(ends), si, length);
         let close = |factors, result, reckon: &dyn Fn([f64; 2]) -> f64| {
             self.figures.borrow_mut().line::<2>(factors, result, reckon)
@@ -1385,7 +1242,8 @@ impl Teller<'_> {
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => {
                 let factors = [of(Quantity::Omega(*link), *omega, &w), between(*ends, *l)];
-                let ([rate, size], result) = close(factors, of(*quantity, *value, &v), &|[a, b]| a * b);
+                let ([rate, size], result) =
+                    close(factors, seen(*quantity, ends[0], *value, &v), &|[a, b]| a * b);
                 line(
                     vector(quantity, ends[0]),
                     rotation(Quantity::Omega(*link)).up(times).then(&n.length(ends[0], ends[1])),
@@ -1394,7 +1252,7 @@ impl Teller<'_> {
                 )
             }
             Calculation::Omega { link, quantity, ends, speed, length: l, value } => {
-                let factors = [of(*quantity, *speed, &v), between(*ends, *l)];
+                let factors = [seen(*quantity, ends[0], *speed, &v), between(*ends, *l)];
                 let result = of(Quantity::Omega(*link), *value, &w);
                 let ([read, size], result) = close(factors, result, &|[a, b]| a / b);
                 line(
@@ -1405,8 +1263,9 @@ impl Teller<'_> {
                 )
             }
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
-                let factors = [of(*velocity, *speed, &v), between(*ends, *l)];
-                let ([read, size], result) = close(factors, of(*quantity, *value, &a), &|[x, l]| x * x / l);
+                let factors = [seen(*velocity, ends[0], *speed, &v), between(*ends, *l)];
+                let ([read, size], result) =
+                    close(factors, seen(*quantity, ends[0], *value, &a), &|[x, l]| x * x / l);
                 line(
                     vector(quantity, ends[0]),
                     vector(velocity, ends[0]).squared().up(over).then(&n.length(ends[0], ends[1])),
@@ -1416,7 +1275,8 @@ impl Teller<'_> {
             }
             Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => {
                 let factors = [of(Quantity::Alpha(*link), *alpha, &e), between(*ends, *l)];
-                let ([rate, size], result) = close(factors, of(*quantity, *value, &a), &|[a, b]| a * b);
+                let ([rate, size], result) =
+                    close(factors, seen(*quantity, ends[0], *value, &a), &|[a, b]| a * b);
                 line(
                     vector(quantity, ends[0]),
                     rotation(Quantity::Alpha(*link)).up(times).then(&n.length(ends[0], ends[1])),
@@ -1425,7 +1285,7 @@ impl Teller<'_> {
                 )
             }
             Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => {
-                let factors = [of(*quantity, *tangential, &a), between(*ends, *l)];
+                let factors = [seen(*quantity, ends[0], *tangential, &a), between(*ends, *l)];
                 let result = of(Quantity::Alpha(*link), *value, &e);
                 let ([read, size], result) = close(factors, result, &|[a, b]| a / b);
                 line(
@@ -1450,11 +1310,12 @@ impl Teller<'_> {
             }
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => {
                 let (size, own) = human::given(radius / length.si, 0);
-                let factors = [of(*slip, *speed, &v)];
+                let slip = absolute(*slip, n);
+                let factors = [of(slip, *speed, &v)];
                 let ([read], result) = close_one(factors, of(*quantity, *value, &a), &|[x]| x * x / own);
                 line(
                     n.symbol(*quantity, false),
-                    n.symbol(*slip, false).squared().up(over).it("R"),
+                    n.symbol(slip, false).squared().up(over).it("R"),
                     read.up("²").up(over).then(&size),
                     human::with_unit(&result, &a.symbol),
                 )
@@ -1475,10 +1336,27 @@ impl Teller<'_> {
                 let unit = unit.map_or_else(|| v.clone(), |asked| asked.unit.clone());
                 let length = human::length_of(&unit).unwrap_or_else(|| length.clone());
                 let journal = radius / length.si;
-                let [difference] =
-                    human::closing([(first - second).abs() / w.si], value / unit.si, |[difference]| {
-                        journal * difference
-                    });
+                // The larger first: what is left of it, or both together where they turn against each other.
+                let mut rates: Vec<(LinkId, f64)> = [(links[0], *first), (links[1], *second)]
+                    .into_iter()
+                    .filter(|(_, rate)| *rate != 0.0)
+                    .collect();
+                rates.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+                let factors: Vec<(Option<Key>, f64, &Unit)> = rates
+                    .iter()
+                    .map(|(link, rate)| (Some(Key::of(Quantity::Omega(*link), n)), *rate, &w))
+                    .collect();
+                let (less, sign) =
+                    if first * second < 0.0 { (1.0, "\u{a0}+\u{a0}") } else { (-1.0, "\u{a0}−\u{a0}") };
+                let result = (Some(Key::of(quantity, n)), *value, &unit);
+                let (numbers, result, _) = self.figures.borrow_mut().line_of(&factors, result, |x| {
+                    journal * x.iter().zip([1.0, less]).map(|(own, sign)| sign * own).sum::<f64>()
+                });
+                let difference = Rich::join(&numbers, &Rich::upright(sign));
+                let difference = match numbers.len() {
+                    2 => Rich::upright("(").then(&difference).up(")"),
+                    _ => difference,
+                };
                 let between = rotation(Quantity::Omega(links[0]))
                     .up("\u{a0}−\u{a0}")
                     .then(&rotation(Quantity::Omega(links[1])));
@@ -1486,7 +1364,7 @@ impl Teller<'_> {
                     n.symbol(quantity, false),
                     Rich::italic("r").up("\u{a0}|").then(&between).up("|"),
                     human::stated_quantity(*radius, &length).up(cross).then(&difference),
-                    human::quantity(*value, &unit),
+                    human::with_unit(&result, &unit.symbol),
                 )
             }
         };

@@ -1,7 +1,10 @@
 //! A velocity carried over by instant centres: the strokes on the skeleton, and the steps in words.
 
+use std::cell::RefCell;
+
 use kurbo::{Point, Rect};
 
+use super::centres::taking_in;
 use super::circle::{centre_name, name};
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone, on_circle};
 use super::human;
@@ -9,20 +12,23 @@ use super::ink::{FINE, HEAD, SMALL, THICK, THIN, arrow, dot, head, page};
 use super::labels::{Request, Site};
 use super::notation::Notation;
 use super::overlap::clip;
+use super::printed::{Apart, Figures, Key};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::steps::Item;
 use crate::graphical::construction::{
     Centre, CentrePlace, CircleDiagram, Construction, Mm2, Spot, Transfer, TransferAct, TransferInk,
 };
-use crate::mechanism::quantity::{Dimension, Method, Order, Quantity};
+use crate::mechanism::quantity::{Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::chord;
 
 /// Blank around the skeleton in which strokes may end.
-const BORDER: f64 = 14.0;
+pub(super) const BORDER: f64 = 14.0;
+/// Blank kept between an end and the border.
+pub(super) const BLANK: f64 = 3.0;
 /// The figure grows to this size at most for the strokes, on upright A4.
-const LARGEST: (f64, f64) = (160.0, 140.0);
+pub(super) const LARGEST: (f64, f64) = (160.0, 140.0);
 /// Shorter arrows than this are drawn as points.
 const SHORTEST: f64 = 1.0;
 /// Places nearer to each other than this are one.
@@ -107,19 +113,10 @@ fn window(strokes: &[TransferInk], skeleton: Rect, largest: (f64, f64)) -> Rect 
         )
     };
     let arrows = strokes.iter().filter(is_arrow).map(ends).flat_map(|(a, b)| [a, b]);
-    let arrows = arrows.map(|at| Rect::from_center_size(at, (6.0, 6.0)));
-    let mut window = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
-    let mut places: Vec<Point> = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
-    let middle = skeleton.center();
-    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
-    for at in places {
-        let grown = window.union(Rect::from_center_size(at, (6.0, 6.0)));
-        if grown.width() <= largest.0.max(window.width()) && grown.height() <= largest.1.max(window.height())
-        {
-            window = grown;
-        }
-    }
-    window
+    let arrows = arrows.map(|at| Rect::from_center_size(at, (2.0 * BLANK, 2.0 * BLANK)));
+    let window = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
+    let places = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
+    taking_in(window, places, skeleton.center(), BLANK, largest)
 }
 
 fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, overlay: &mut Overlay) {
@@ -271,14 +268,8 @@ fn leader(text: Rich, at: Point, radius: f64, class: &'static str) -> Request {
     request
 }
 
-/// The centres that the transfer uses, by name; those of pins are marked by the pins.
-fn centres(
-    transfers: &[&Transfer],
-    circle: &CircleDiagram,
-    window: Rect,
-    notation: &Notation<'_>,
-    overlay: &mut Overlay,
-) {
+/// The centres by which velocities are carried over.
+pub(super) fn used<'a>(transfers: impl Iterator<Item = &'a Transfer>) -> Vec<[LinkId; 2]> {
     let mut used: Vec<[LinkId; 2]> = Vec::new();
     let mut take = |links: &[LinkId]| {
         for &link in links {
@@ -288,7 +279,7 @@ fn centres(
             used.push(chord(i, j));
         }
     };
-    for act in transfers.iter().flat_map(|t| &t.acts) {
+    for act in transfers.flat_map(|t| &t.acts) {
         match act {
             TransferAct::Ratio { input, link, .. } => take(&[*input, *link]),
             TransferAct::CommonSpeed { links, .. } => take(links),
@@ -302,12 +293,25 @@ fn centres(
             TransferAct::Gauge { .. } => {}
         }
     }
-    for stroke in transfers.iter().flat_map(|t| &t.ink) {
-        let (TransferInk::Gauge { from: pole, .. } | TransferInk::Arc { centre: pole, .. }) = *stroke else {
-            continue;
-        };
-        used.extend(pole_at(circle, pole));
-    }
+    used
+}
+
+/// The centres that the transfer uses, by name; those of pins are marked by the pins.
+fn centres(
+    transfers: &[&Transfer],
+    circle: &CircleDiagram,
+    window: Rect,
+    notation: &Notation<'_>,
+    overlay: &mut Overlay,
+) {
+    let used = used(transfers.iter().copied());
+    let poles = transfers.iter().flat_map(|t| &t.ink).filter_map(|ink| match ink {
+        TransferInk::Gauge { from: pole, .. } | TransferInk::Arc { centre: pole, .. } => {
+            pole_at(circle, *pole)
+        }
+        _ => None,
+    });
+    let mut used: Vec<[LinkId; 2]> = used.into_iter().chain(poles).collect();
     used.sort();
     used.dedup();
     let mut group = Group::new("centre-points");
@@ -388,12 +392,20 @@ fn method(method: Method, notation: &Notation<'_>) -> &'static str {
 /// The steps of all transfers in words, method by method; what an earlier transfer of the same method has told is not
 /// told again.
 #[must_use]
-pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Vec<Vec<Item>> {
+pub fn items(
+    circle: &CircleDiagram,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
+) -> Vec<Vec<Item>> {
     let mut every = Vec::new();
-    for same in by_method(circle) {
+    for (index, same) in by_method(circle).into_iter().enumerate() {
         let mut all = vec![Item::Head(title(&same, notation).bolder())];
         let Some(si_per_mm) = same.first().map(|first| first.si_per_mm) else { continue };
-        let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm, si_per_mm };
+        // Each method has readings of its own.
+        let own = RefCell::new(figures.borrow().of_inputs(Apart::Transfer(index), notation));
+        let metres_per_mm = construction.space.metres_per_mm;
+        let teller = Teller { notation, metres_per_mm, si_per_mm, figures: &own };
         let mut told: Vec<&TransferAct> = Vec::new();
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
@@ -401,6 +413,7 @@ pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Not
                 all.push(Item::Sentence(teller.sentence(act)));
             }
         }
+        figures.borrow_mut().keep_apart(Apart::Transfer(index), &own.borrow(), notation);
         every.push(all);
     }
     every
@@ -411,6 +424,8 @@ struct Teller<'a> {
     metres_per_mm: f64,
     /// Of the velocities on the skeleton.
     si_per_mm: f64,
+    /// How each number is printed.
+    figures: &'a RefCell<Figures>,
 }
 
 impl Teller<'_> {
@@ -418,100 +433,118 @@ impl Teller<'_> {
         self.notation.symbol(Quantity::Omega(link), false)
     }
 
-    fn turning(&self, value: f64) -> Rich {
-        self.notation.rotation(value, &self.notation.angular_unit(Order::Velocity))
+    /// A rate as it is told, with its sense.
+    fn turning(&self, told: &Rich, value: f64) -> Rich {
+        let unit = self.notation.angular_unit(Order::Velocity);
+        self.notation.with_sense(human::with_unit(told, &unit.symbol), value)
     }
 
-    fn speed(&self, si: f64) -> Rich {
-        human::quantity(si, &self.notation.unit(Dimension::Velocity))
+    /// What the velocity of a place is called in the list of printed numbers.
+    fn speed_of(&self, spot: Spot) -> Key {
+        match spot {
+            Spot::Point(p) => Key::of(Quantity::Velocity(p), self.notation),
+            Spot::Under(p, link) => Key::of(Quantity::CoincidentVelocity(p, link), self.notation),
+            Spot::Centre(links) => Key::AtCentre(links),
+        }
     }
 
     /// A length read on paper, and the speed that it is by the scale.
-    fn read(&self, mm: f64, speed: f64) -> [Rich; 2] {
+    fn read(&self, key: Key, mm: f64, speed: f64) -> [Rich; 2] {
         let unit = self.notation.unit(Dimension::Velocity);
-        let [mm, value] = human::reading(mm.abs(), self.si_per_mm / unit.si, speed.abs() / unit.si);
+        let exact = speed.abs() / unit.si;
+        let more = self.figures.borrow().more(key).min(1);
+        let (mm, value, written) = human::reading_at(mm.abs(), self.si_per_mm / unit.si, exact, more);
+        self.figures.borrow_mut().note(key, &value, (written, exact), &unit);
         [mm, human::with_unit(&value, &unit.symbol)]
     }
 
-    /// The rotation and the length of a line `ω · length = speed`, so that it closes as it is printed.
-    fn product(&self, omega: f64, mm: f64, speed: f64) -> [Rich; 2] {
-        let (w, v) = (self.notation.angular_unit(Order::Velocity), self.notation.unit(Dimension::Velocity));
-        let unit = &self.notation.scene.units.length;
-        let factors = [omega.abs() / w.si, mm.abs() * self.metres_per_mm / unit.si];
-        let [rate, length] = human::closing(factors, speed.abs() / v.si, |[a, b]| a * b);
-        [human::with_unit(&rate, &w.symbol), human::with_unit(&length, &unit.symbol)]
+    /// The distance of a place from the pole of a link, measured on paper.
+    fn radius<'u>(&self, link: LinkId, spot: Spot, mm: f64, unit: &'u Unit) -> (Key, f64, &'u Unit) {
+        (Key::Radius(chord(LinkId::FRAME, link), spot), mm.abs() * self.metres_per_mm, unit)
+    }
+
+    /// The parts of a line `V = ω · distance = … · … = …`.
+    fn about(&self, link: LinkId, spot: Spot, [omega, mm, speed]: [f64; 3]) -> [(&'static str, Rich); 6] {
+        let n = self.notation;
+        let (w, v) = (n.angular_unit(Order::Velocity), n.unit(Dimension::Velocity));
+        let unit = &n.scene.units.length;
+        let factors = [(Key::Of(Quantity::Omega(link)), omega, &w), self.radius(link, spot, mm, unit)];
+        let result = (self.speed_of(spot), speed, &v);
+        // A point under a pin is as far as the pin.
+        let end = match spot {
+            Spot::Under(point, _) => spot_name(Spot::Point(point), n),
+            Spot::Point(_) | Spot::Centre(_) => spot_name(spot, n),
+        };
+        let ([rate, length], value) = self.figures.borrow_mut().line(factors, result, |[a, b]| a * b);
+        [
+            ("velocity", spot_velocity(spot, n)),
+            ("omega", self.omega(link)),
+            ("distance", distance(chord(LinkId::FRAME, link), &end, n)),
+            ("omega_value", human::with_unit(&rate, &w.symbol)),
+            ("length", human::with_unit(&length, &unit.symbol)),
+            ("value", human::with_unit(&value, &v.symbol)),
+        ]
     }
 
     fn sentence(&self, act: &TransferAct) -> Rich {
         let words = self.notation.words;
         let pole = |link: LinkId| chord(LinkId::FRAME, link);
-        let named = |links: [LinkId; 2]| centre_name(links, self.notation);
         let own = |p| self.notation.point(p);
         let velocity = |p| self.notation.symbol(Quantity::Velocity(p), false);
+        let (w, v) = (self.notation.angular_unit(Order::Velocity), self.notation.unit(Dimension::Velocity));
+        let unit = &self.notation.scene.units.length;
+        let rate = |link: LinkId, omega: f64| (Key::Of(Quantity::Omega(link)), omega, &w);
         match *act {
             TransferAct::Ratio { input, link, mm, omegas } => {
-                let common = named(chord(input, link));
-                let segments = [input, link].map(|l| distance(pole(l), &common, self.notation));
-                let [first, second] = segments;
-                let w = self.notation.angular_unit(Order::Velocity);
-                let unit = &self.notation.scene.units.length;
-                let size = |mm: f64| mm.abs() * self.metres_per_mm / unit.si;
-                let factors = [omegas[0].abs() / w.si, size(mm[0]), size(mm[1])];
-                let [rate, a, b] =
-                    human::closing(factors, omegas[1].abs() / w.si, |[rate, a, b]| rate * a / b);
-                let rate = human::with_unit(&rate, &w.symbol);
-                let sense = self.notation.sense(omegas[0]);
-                let rate = if sense.is_empty() { rate } else { rate.word(sense) };
+                let common = Spot::Centre(chord(input, link));
+                let [first, second] = [input, link]
+                    .map(|l| distance(pole(l), &spot_name(common, self.notation), self.notation));
+                let factors = [
+                    rate(input, omegas[0]),
+                    self.radius(input, common, mm[0], unit),
+                    self.radius(link, common, mm[1], unit),
+                ];
+                let result = rate(link, omegas[1]);
+                let ([known, a, b], value) =
+                    self.figures.borrow_mut().line(factors, result, |[rate, a, b]| rate * a / b);
                 let parts = [
                     ("omega", self.omega(link)),
                     ("known", self.omega(input)),
                     ("first", first),
                     ("second", second),
-                    ("known_value", rate),
+                    ("known_value", human::with_unit(&known, &w.symbol)),
                     ("a", human::with_unit(&a, &unit.symbol)),
                     ("b", human::with_unit(&b, &unit.symbol)),
-                    ("value", self.turning(omegas[1])),
+                    ("value", self.turning(&value, omegas[1])),
                     ("common", name(chord(input, link), self.notation)),
                 ];
                 Rich::fill(words.transfer_ratio, &parts)
             }
             TransferAct::CommonSpeed { links: [i, k], of, mm, omega, speed } => {
                 let common = chord(i, k);
-                let [turning, length] = self.product(omega, mm, speed);
-                let parts = [
+                let links = [
                     ("centre", name(common, self.notation)),
                     ("one", Rich::upright(self.notation.number(i))),
                     ("other", Rich::upright(self.notation.number(k))),
-                    ("velocity", spot_velocity(Spot::Centre(common), self.notation)),
-                    ("omega", self.omega(of)),
-                    ("distance", distance(pole(of), &named(common), self.notation)),
-                    ("omega_value", turning),
-                    ("length", length),
-                    ("value", self.speed(speed)),
                 ];
-                Rich::fill(words.transfer_common, &parts)
+                let line = self.about(of, Spot::Centre(common), [omega, mm, speed]);
+                Rich::fill(words.transfer_common, &[&links[..], &line].concat())
             }
             TransferAct::AboutPole { link, point, mm, omega, speed } => {
-                let [turning, length] = self.product(omega, mm, speed);
                 let own = self.notation.mechanism().link(link).points.contains(&point);
                 let spot = if own { Spot::Point(point) } else { Spot::Under(point, link) };
-                let parts = [
-                    ("velocity", spot_velocity(spot, self.notation)),
-                    ("omega", self.omega(link)),
-                    ("distance", distance(pole(link), self.notation.point_name(point), self.notation)),
-                    ("omega_value", turning),
-                    ("length", length),
-                    ("value", self.speed(speed)),
-                ];
-                Rich::fill(words.transfer_about_pole, &parts)
+                Rich::fill(words.transfer_about_pole, &self.about(link, spot, [omega, mm, speed]))
             }
             TransferAct::Translation { link, speed } => {
-                let parts =
-                    [("link", Rich::upright(self.notation.number(link))), ("value", self.speed(speed))];
+                // Mostly that of the centre of which was just told.
+                let told = self.figures.borrow().same(speed, &v);
+                let told = told.unwrap_or_else(|| human::number(speed / v.si));
+                let value = human::with_unit(&told, &v.symbol);
+                let parts = [("link", Rich::upright(self.notation.number(link))), ("value", value)];
                 Rich::fill(words.transfer_translation, &parts)
             }
             TransferAct::Difference { quantity, of, against, mm, speed } => {
-                let [mm, value] = self.read(mm, speed);
+                let [mm, value] = self.read(Key::of(quantity, self.notation), mm, speed);
                 let parts = [
                     ("relative", self.notation.symbol(quantity, false)),
                     ("of", spot_velocity(of, self.notation)),
@@ -522,7 +555,7 @@ impl Teller<'_> {
                 Rich::fill(words.transfer_difference, &parts)
             }
             TransferAct::Gauge { from, point, mm, speed } => {
-                let [mm, value] = self.read(mm, speed);
+                let [mm, value] = self.read(self.speed_of(Spot::Point(point)), mm, speed);
                 let parts = [
                     ("known", spot_velocity(from, self.notation)),
                     ("point", own(point)),
@@ -534,7 +567,7 @@ impl Teller<'_> {
             }
             TransferAct::Parallel { link, from, to, flat, mm, speed } => {
                 let template = if flat { words.transfer_parallel_flat } else { words.transfer_parallel };
-                let [mm, value] = self.read(mm, speed);
+                let [mm, value] = self.read(self.speed_of(Spot::Point(to)), mm, speed);
                 let parts = [
                     ("from", own(from)),
                     ("to", own(to)),
@@ -548,34 +581,43 @@ impl Teller<'_> {
                 Rich::fill(template, &parts)
             }
             TransferAct::Omega { link, spot, mm, speed, omega } => {
-                let (w, v) =
-                    (self.notation.angular_unit(Order::Velocity), self.notation.unit(Dimension::Velocity));
-                let unit = &self.notation.scene.units.length;
-                let factors = [speed.abs() / v.si, mm.abs() * self.metres_per_mm / unit.si];
-                let [speed, length] = human::closing(factors, omega.abs() / w.si, |[v, l]| v / l);
+                let factors = [(self.speed_of(spot), speed, &v), self.radius(link, spot, mm, unit)];
+                let result = rate(link, omega);
+                let ([speed, length], value) =
+                    self.figures.borrow_mut().line(factors, result, |[v, l]| v / l);
                 let parts = [
                     ("omega", self.omega(link)),
                     ("velocity", spot_velocity(spot, self.notation)),
                     ("distance", distance(pole(link), &spot_name(spot, self.notation), self.notation)),
                     ("speed", human::with_unit(&speed, &v.symbol)),
                     ("length", human::with_unit(&length, &unit.symbol)),
-                    ("value", self.turning(omega)),
+                    ("value", self.turning(&value, omega)),
                 ];
                 Rich::fill(words.transfer_omega, &parts)
             }
             TransferAct::OmegaByParallel { link, from, to, mm, omega } => {
-                let w = self.notation.angular_unit(Order::Velocity);
-                let rate =
+                let reckon =
                     |[a, b]: [f64; 2]| (a - b).abs() * self.si_per_mm / (b * self.metres_per_mm) / w.si;
-                let [a, b] = human::readings(mm, omega.abs() / w.si, rate);
+                let [a, b] = human::readings(mm, omega.abs() / w.si, reckon);
+                let (key, omega_si, _) = rate(link, omega);
+                let value = self.figures.borrow_mut().tell(key, omega_si, &w);
+                let (v, unit) = (self.notation.unit(Dimension::Velocity), &self.notation.scene.units.length);
+                let [apart] = human::readings([(mm[0] - mm[1]).abs()], omega.abs() / w.si, |[apart]| {
+                    apart * self.si_per_mm / (mm[1].abs() * self.metres_per_mm) / w.si
+                });
+                let quotient = apart.clone().up("\u{a0}×\u{a0}").then(&human::stated(self.si_per_mm / v.si));
+                let length = human::quantity(mm[1].abs() * self.metres_per_mm, unit);
+                let quotient = quotient.up("\u{a0}/\u{a0}").then(&length);
                 let parts = [
+                    ("apart", apart),
+                    ("quotient", quotient),
                     ("omega", self.omega(link)),
                     ("from", own(from)),
                     ("to", own(to)),
                     ("line", self.notation.length(from, to)),
                     ("a", a),
                     ("b", b),
-                    ("value", self.turning(omega)),
+                    ("value", self.turning(&value, omega)),
                 ];
                 Rich::fill(words.transfer_omega_by_parallel, &parts)
             }

@@ -449,7 +449,9 @@ pub(super) fn span(
             }
             Ok(([from, to], uniform && turns && from == 0.0 && to == whole))
         }
-        Some(_) => Err(SweepError::Range("the range ends before it begins".to_owned())),
+        Some(_) => {
+            Err(SweepError::Range("the span of time ends before it begins: --from is the earlier".to_owned()))
+        }
         None if whole.is_finite() && whole > 0.0 => Ok(([0.0, whole], uniform && turns)),
         None => Err(SweepError::Range(
             "the first input stands still: say how long to look with --from and --to".to_owned(),
@@ -498,7 +500,11 @@ pub(super) fn range(
     let turn = 2.0 * PI;
     let range = match (stated, input) {
         (Some([from, to]), _) if from < to && (to - from).is_finite() => [from, to],
-        (Some(_), _) => return Err(SweepError::Range("the range ends before it begins".to_owned())),
+        // Which way it is walked is told by the motion.
+        (Some([to, from]), _) if from < to && (to - from).is_finite() => [from, to],
+        (Some(_), _) => {
+            return Err(SweepError::Range("the range has no length: --from and --to must differ".to_owned()));
+        }
         (None, InputKind::Angle(_) | InputKind::Time) => [0.0, turn],
         (None, InputKind::Slide(_)) => {
             let reach = reach(mechanism, moved);

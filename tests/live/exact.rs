@@ -133,8 +133,8 @@ fn in_node(cases: &[Value]) {
     assert!(told.status.success(), "{out}{error}");
     // What is turned round is noticed: an operation, a sign, a constant, a sample of the roundings, a guard.
     for turned in [
-        ["out = a * b - c * d;", "out = a * b + c * d;"],
-        ["out = signs[code[step + 4]] * rootOf(a);", "out = -signs[code[step + 4]] * rootOf(a);"],
+        ["return a * b - c * d;", "return a * b + c * d;"],
+        ["return signs[code[step + 4]] * rootOf(a);", "return -signs[code[step + 4]] * rootOf(a);"],
         ["const S1 = -1.66666666666666324348e-01;", "const S1 = -1.66666666666666351e-01;"],
         ["const CLEAR = 8;", "const CLEAR = 80000;"],
         ["if (last & 256 && !this.isClear(to)) this.lost[to] = 1;", ""],

@@ -72,6 +72,36 @@ fn a_page_holds_one_script_and_what_strangers_wrote_is_text() {
     assert!(ink.iter().all(|one| one["move"] != "still"), "all of a slider-crank's ink moves");
 }
 
+/// `sheet.live` states how the page opens; what it cannot be is refused where it stands.
+#[test]
+fn a_scene_states_how_its_page_opens() {
+    let with = |live: Value| {
+        let mut json: Value = serde_json::from_str(kind("four-bar")).unwrap();
+        json["sheet"]["live"] = live;
+        json.to_string()
+    };
+    let stated = serde_json::json!({ "play_seconds": 20, "traces": ["B"], "diagrams": ["omega(4)"], "scale": "refit" });
+    let scene = common::read(&with(stated));
+    let solved = solved(&scene);
+    let live = Live::of_solved(&scene, &solved, Over::Input, None).unwrap();
+    let (page, _) = live::page(&scene, &solved, Ok(&live), &options(&scene, Kind::Solution)).unwrap();
+    let data: Value = serde_json::from_str(between(&page, "id=\"linkgram-live\">", "</script>")).unwrap();
+    let row = scene.mechanism.asked.iter().position(|asked| asked.name == "omega(4)").unwrap();
+    assert_eq!(data["opens"], serde_json::json!({ "traces": ["B"], "diagrams": [row], "refit": true }));
+    assert_eq!(data["seconds"], serde_json::json!(20.0));
+    for (live, told) in [
+        (serde_json::json!({ "traces": ["Q"] }), "there is no point `Q`"),
+        (serde_json::json!({ "play_seconds": 0 }), "choose between 1 and 120 seconds"),
+        (serde_json::json!({ "diagrams": ["v(A/B)"] }), "a diagram shows what is asked for"),
+        (serde_json::json!({ "scale": "free" }), "`free` is not a way to choose scales"),
+        (serde_json::json!({ "speed": 3 }), "speed"),
+    ] {
+        let text = with(live.clone());
+        let error = linkgram::scene::read(&text, "f").expect_err(told);
+        assert!(error.to_string().contains(told), "{live}: {error}");
+    }
+}
+
 #[test]
 fn a_question_gives_nothing_away() {
     let scene = common::example("s000-ch3a-1");
@@ -169,7 +199,7 @@ fn the_form_of_a_question_reads_or_marks() {
     let root = common::root();
     let ran = std::process::Command::new("node")
         .arg(root.join("tests/live/question.js"))
-        .args(["entry.js", "question.js"].map(|name| root.join("src/live/page").join(name)))
+        .args(["entry.js", "save.js", "question.js"].map(|name| root.join("src/live/page").join(name)))
         .arg(typed.to_string())
         .output();
     let Ok(ran) = ran else {

@@ -2,7 +2,7 @@
 'use strict';
 const fs = require('fs');
 // The page has them one after the other.
-const source = process.argv.slice(2, 4).map((file) => fs.readFileSync(file, 'utf8').replace(/^'use strict';/m, '')).join('\n');
+const source = process.argv.slice(2, 5).map((file) => fs.readFileSync(file, 'utf8').replace(/^'use strict';/m, '')).join('\n');
 
 function submitted(rows) {
   const inputs = rows.map(([name, part, unit, value]) => ({
@@ -27,4 +27,4 @@ function submitted(rows) {
   return { saved: out.value && JSON.parse(out.value).values, marked: inputs.map((one) => one.marks['aria-invalid'] === 'true') };
 }
 
-console.log(JSON.stringify(JSON.parse(process.argv[4]).map(submitted)));
+console.log(JSON.stringify(JSON.parse(process.argv[5]).map(submitted)));

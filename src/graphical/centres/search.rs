@@ -3,6 +3,7 @@
 //! The search looks at the skeleton as one looks before one draws: rounded places, no strokes. What it finds is
 //! drawn on the board afterwards, and only that.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::mechanism::LinkId;
@@ -50,6 +51,10 @@ const FEW: usize = 4;
 /// Looks at so many partial ways at most, for each length.
 const MOST_LOOKS: usize = 20_000;
 
+/// And at so many for all goals and lengths together: with many centres wanted of many links each search may be long. After
+/// that the centres are found in the order of their numbers.
+const ALL_LOOKS: usize = 400_000;
+
 /// Longest way that is sought among all.
 const LONGEST: usize = 8;
 
@@ -62,8 +67,7 @@ impl Atlas {
         if goals.iter().any(|goal| !places.contains_key(goal)) {
             return None;
         }
-        let all_at_once =
-            if goals.len() <= FEW { self.shortest(&places, &self.points, &goals) } else { None };
+        let all_at_once = if goals.len() <= FEW { self.shortest(&places, &goals) } else { None };
         Some(all_at_once.unwrap_or_else(|| self.one_by_one(&places, goals)))
     }
 
@@ -144,10 +148,12 @@ impl Atlas {
     /// Goal by goal, the one that is nearest to what is known next.
     fn one_by_one(&self, places: &BTreeMap<Chord, [f64; 3]>, mut goals: Vec<Chord>) -> Vec<Derivation> {
         let mut known = self.points.clone();
+        let left = Cell::new(ALL_LOOKS);
         let mut all = Vec::new();
         while !goals.is_empty() {
-            let near =
-                |length: usize| goals.iter().find_map(|goal| self.way(places, &known, &[*goal], length));
+            let near = |length: usize| {
+                goals.iter().find_map(|goal| self.way(places, &known, &[*goal], length, &left))
+            };
             // Where no way is short enough to be sought, the next chord by number.
             let way = (1..=LONGEST).find_map(near).or_else(|| self.next(&known).map(|(next, _)| vec![next]));
             let Some(way) = way else { break };
@@ -163,22 +169,20 @@ impl Atlas {
     }
 
     /// The fewest derivations that lead to the goals.
-    fn shortest(
-        &self,
-        places: &BTreeMap<Chord, [f64; 3]>,
-        known: &BTreeMap<Chord, [f64; 3]>,
-        goals: &[Chord],
-    ) -> Option<Vec<Derivation>> {
-        (goals.len()..=LONGEST.max(goals.len())).find_map(|length| self.way(places, known, goals, length))
+    fn shortest(&self, places: &BTreeMap<Chord, [f64; 3]>, goals: &[Chord]) -> Option<Vec<Derivation>> {
+        let left = Cell::new(ALL_LOOKS);
+        (goals.len()..=LONGEST.max(goals.len()))
+            .find_map(|length| self.way(places, &self.points, goals, length, &left))
     }
 
-    /// A way of this length to the goals; with flat crossings only where there is none without.
+    /// A way of this length to the goals, as long as looks are left; with flat crossings only where there is none without.
     fn way(
         &self,
         places: &BTreeMap<Chord, [f64; 3]>,
         known: &BTreeMap<Chord, [f64; 3]>,
         goals: &[Chord],
         length: usize,
+        left: &Cell<usize>,
     ) -> Option<Vec<Derivation>> {
         FLATTEST.into_iter().find_map(|flattest| {
             let mut hunt = Hunt {
@@ -189,10 +193,12 @@ impl Atlas {
                 length,
                 chosen: Vec::new(),
                 best: None,
-                looks: 0,
+                looks: MOST_LOOKS.min(left.get()),
                 ways: BTreeMap::new(),
             };
+            let before = hunt.looks;
             hunt.go(goals.to_vec(), 1.0);
+            left.set(left.get() - (before - hunt.looks));
             hunt.best.map(|(_, best)| best)
         })
     }
@@ -207,14 +213,18 @@ struct Hunt<'a> {
     length: usize,
     chosen: Vec<Derivation>,
     best: Option<(f64, Vec<Derivation>)>,
+    /// Looks that are left.
     looks: usize,
     ways: BTreeMap<Chord, Vec<(Derivation, f64)>>,
 }
 
 impl Hunt<'_> {
     fn go(&mut self, mut open: Vec<Chord>, flattest: f64) {
-        self.looks += 1;
-        if self.looks > MOST_LOOKS || self.chosen.len() + open.len() > self.length {
+        if self.looks == 0 {
+            return;
+        }
+        self.looks -= 1;
+        if self.chosen.len() + open.len() > self.length {
             return;
         }
         let Some(goal) = open.pop() else {
@@ -226,6 +236,9 @@ impl Hunt<'_> {
             return;
         };
         for (derivation, sine) in self.derivations(goal) {
+            if self.looks == 0 {
+                return;
+            }
             let known = |c: &Chord| {
                 self.atlas.points.contains_key(c)
                     || open.contains(c)

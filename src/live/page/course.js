@@ -5,6 +5,11 @@ function counted(/** @type {any} */ output, /** @type {number} */ value) {
   return output.unsigned && value < 0 ? -value : value;
 }
 
+/** Places at equal steps over a range, the same doubles as a sweep has. */
+function equalSteps(/** @type {number[]} */ [from, to], /** @type {number} */ count) {
+  return Array.from({ length: count + 1 }, (_, i) => (i === count ? to : from * ((count - i) / count) + to * (i / count)));
+}
+
 class Course {
   /** @param {any} live */
   constructor(live) {

@@ -9,11 +9,11 @@ class Track {
     /** Ranges that can be gone through without taking anything apart. @type {{from: number, to: number, apart: boolean}[]} */
     this.regions = [];
     for (const stretch of course.stretches) {
-      const last = this.regions[this.regions.length - 1];
+      const last = this.regions.at(-1);
       if (last && last.to === stretch.from && last.apart === stretch.apart) last.to = stretch.to;
       else this.regions.push({ from: stretch.from, to: stretch.to, apart: stretch.apart });
     }
-    const first = this.regions[0], last = this.regions[this.regions.length - 1];
+    const first = this.regions[0], last = this.regions.at(-1);
     this.round = whole && first && first.from === this.from && last.to === this.to && first.apart === last.apart;
   }
 
@@ -24,28 +24,14 @@ class Track {
 
   /** From a place by a way, as far as it goes. */
   go(/** @type {number} */ at, /** @type {number} */ by) {
-    let region = this.regionAt(at);
-    if (!region) return { at, stopped: true };
-    let target = at + by;
     const turn = this.to - this.from;
-    for (let i = 0; i < 400; i++) {
-      if (target > region.to) {
-        if (this.round && region.to === this.to) {
-          target -= turn;
-          region = this.regions[0];
-          continue;
-        }
-        return { at: region.to, stopped: true };
-      }
-      if (target < region.from) {
-        if (this.round && region.from === this.from) {
-          target += turn;
-          region = this.regions[this.regions.length - 1];
-          continue;
-        }
-        return { at: region.from, stopped: true };
-      }
-      return { at: target, stopped: false };
+    let region = this.regionAt(at), to = at + by;
+    while (region) {
+      const end = to > region.to ? 'to' : to < region.from ? 'from' : null;
+      if (!end) return { at: to, stopped: false };
+      if (!this.round || region[end] !== this[end]) return { at: region[end], stopped: true };
+      to += end === 'to' ? -turn : turn;
+      region = this.regions.at(end === 'to' ? 0 : -1);
     }
     return { at, stopped: true };
   }
@@ -83,7 +69,7 @@ function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @ty
     const numbers = [];
     outputs.forEach((output, i) => { numbers[output] = program.quick[rows[i]]; });
     const held = globalOf(frame, own, panel.seen(numbers, places));
-    return held ? Math.hypot(held.x - wish.x, held.y - wish.y) : Infinity;
+    return held ? sizeOf(minus(held, wish)) : Infinity;
   };
   // Local descent: from here down, to the first place from which it would go up again.
   let by = 0, best = cost(0), step = most / 8;

@@ -13,6 +13,27 @@ function pair(p) {
   return `${mm(p.x)} ${mm(p.y)}`;
 }
 
+/** @param {any} a @param {any} b */
+function minus(a, b) {
+  return { x: a.x - b.x, y: a.y - b.y };
+}
+
+/** From a point by a part of a way. @param {any} a @param {any} way @param {number} part */
+function plus(a, way, part) {
+  return { x: a.x + way.x * part, y: a.y + way.y * part };
+}
+
+/** @param {any} way */
+function sizeOf(way) {
+  return Math.hypot(way.x, way.y);
+}
+
+/** The two ends behind a tip, and the outline of a head: three times as long as wide. */
+function headOf(/** @type {any} */ tip, /** @type {any} */ u, /** @type {number} */ size) {
+  const back = plus(tip, u, -size), side = { x: -u.y * size / 6, y: u.x * size / 6 };
+  return `M${pair(tip)} L${pair(plus(back, side, 1))} L${pair(plus(back, side, -1))} Z`;
+}
+
 /** Origin and x-axis of a frame; nothing where its places fall together. */
 function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
   const [kind, i, j] = frame;
@@ -29,8 +50,7 @@ function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
   }
   const b = seen[j];
   if (!b) return null;
-  const d = { x: b.x - a.x, y: b.y - a.y };
-  const length = Math.hypot(d.x, d.y);
+  const d = minus(b, a), length = sizeOf(d);
   if (!(length >= NEAR)) return null;
   return { o: a, x: kind === 2 ? { x: d.x / length, y: d.y / length } : d };
 }
@@ -47,23 +67,8 @@ function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /*
 function localOf(/** @type {number[]} */ frame, /** @type {any} */ at, /** @type {any[]} */ seen) {
   const axes = axesOf(frame, seen);
   if (!axes) return null;
-  const { o, x } = axes, d = { x: at.x - o.x, y: at.y - o.y }, n = x.x * x.x + x.y * x.y;
+  const { o, x } = axes, d = minus(at, o), n = x.x * x.x + x.y * x.y;
   return [(d.x * x.x + d.y * x.y) / n, (d.y * x.x - d.x * x.y) / n];
-}
-
-/** The part of a line from a to b that lies in a box, as parts of the way; nothing where none does. */
-function clipped(/** @type {any} */ a, /** @type {any} */ b, /** @type {number[]} */ box) {
-  let from = 0, to = 1;
-  for (const [p, d, low, high] of [[a.x, b.x - a.x, box[0], box[2]], [a.y, b.y - a.y, box[1], box[3]]]) {
-    if (d === 0) {
-      if (p < low || p > high) return null;
-      continue;
-    }
-    const [one, other] = [(low - p) / d, (high - p) / d];
-    from = Math.max(from, Math.min(one, other));
-    to = Math.min(to, Math.max(one, other));
-  }
-  return from < to ? [from, to] : null;
 }
 
 /** Numbers that are letters where they are small. @param {string} text */
@@ -71,6 +76,12 @@ function uncoded(text) {
   const letters = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy';
   return (text.replace(/~(\d+),/g, (_, run) => 'U'.repeat(Number(run))).match(/z-?\d+,|[0-9A-Za-y]/g) || [])
     .map((one) => (one[0] === 'z' ? Number(one.slice(1, -1)) : letters.indexOf(one) - 30));
+}
+
+/** Ink of one stroke, drawn so. @param {any} ink @param {string} path */
+function stroked(ink, path) {
+  ink.element.querySelector('path').setAttribute('d', path);
+  return true;
 }
 
 class Panel {
@@ -94,14 +105,7 @@ class Panel {
       })
       .filter((/** @type {any} */ label) => label.element);
     // The places of the course at which names were placed: equal steps, as far as it goes.
-    const [from, to] = live.variable.range;
-    this.frames = [];
-    for (let i = 0; i <= live.frames; i++) {
-      const at = i === live.frames ? to : from * ((live.frames - i) / live.frames) + to * (i / live.frames);
-      if (live.course.stretches.some((/** @type {any} */ s) => at >= s.from && at <= s.to)) this.frames.push(at);
-    }
-    this.cyclic = live.variable.whole_turn;
-    this.range = live.variable.range;
+    this.frames = equalSteps(live.variable.range, live.frames).filter((at) => live.course.stretches.some((/** @type {any} */ s) => at >= s.from && at <= s.to));
   }
 
   /** Where the places are, mm of the panel; null where one is not known. @param {(number | null)[]} outputs @param {number[] | null} only */
@@ -130,19 +134,10 @@ class Panel {
     for (const ink of this.ink) {
       if (ink.move === 'strokes') ink.paths = [...ink.element.querySelectorAll('path')];
       if (ink.move === 'vector' || ink.move === 'arrow') {
-        for (const name of ['shaft', 'head']) {
-          let part = ink.element.querySelector(`.${name}`);
-          if (!part) {
-            part = makeInk('path', { class: name, fill: name === 'head' ? '#000000' : 'none' });
-            if (name === 'shaft') {
-              part.setAttribute('stroke', '#000000');
-              part.setAttribute('stroke-width', '0.25');
-            }
-            ink.element.append(part);
-          }
-          ink[name] = part;
-        }
-        ink.dot = ink.element.querySelector('circle') || ink.element.appendChild(makeInk('circle', { r: '0.55', fill: '#000000' }));
+        const part = (/** @type {string} */ selector, /** @type {any} */ ...made) => ink.element.querySelector(selector) || ink.element.appendChild(makeInk(...made));
+        ink.shaft = part('.shaft', 'path', { class: 'shaft', fill: 'none', stroke: '#000000', 'stroke-width': '0.25' });
+        ink.head = part('.head', 'path', { class: 'head', fill: '#000000' });
+        ink.dot = part('circle', 'circle', { r: '0.55', fill: '#000000' });
         ink.width = Number(ink.shaft.getAttribute('stroke-width'));
       }
     }
@@ -158,9 +153,9 @@ class Panel {
       visible(ink.element, drawn);
       ink.element.classList.toggle('fresh', drawn && ink.step === step);
       // What is read off the ink is that of this position.
-      if (ink.move === 'vector' && ink.element.hasAttribute('data-value')) {
+      if (drawn && ink.move === 'vector' && ink.element.dataset.value) {
         const [a, b] = ink.at.map((/** @type {number} */ i) => seen[i]);
-        if (a && b) ink.element.setAttribute('data-value', String(Math.hypot(b.x - a.x, b.y - a.y) * this.siPerMm / this.data.unit));
+        ink.element.dataset.value = String(sizeOf(minus(b, a)) * this.siPerMm / this.data.unit);
       }
     }
     this.place(seen, at, step, outputs);
@@ -187,72 +182,29 @@ class Panel {
       case 'ray': {
         const a = seen[ink.at[0]], b = seen[ink.at[1]];
         if (!a || !b) return false;
-        const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);
+        const d = minus(b, a), length = sizeOf(d);
         if (length < NEAR) return false;
-        const end = { x: b.x + d.x / length * PAST, y: b.y + d.y / length * PAST };
-        ink.element.querySelector('path').setAttribute('d', `M${pair(a)} L${pair(end)}`);
-        return true;
+        return stroked(ink, `M${pair(a)} L${pair(plus(b, d, PAST / length))}`);
       }
       case 'outline': {
         const points = ink.at.map((/** @type {number} */ i) => seen[i]);
-        if (points.includes(null)) return false;
-        ink.element.querySelector('path').setAttribute('d', `M${points.map(pair).join(' L')} Z`);
-        return true;
+        return !points.includes(null) && stroked(ink, `M${points.map(pair).join(' L')} Z`);
       }
       case 'arrow': {
         const [a, b] = ink.at.map((/** @type {any} */ p) => globalOf(p[0], p[1], seen));
         return this.moveVector(ink, a, b);
       }
       case 'through': return this.moveThrough(ink, seen);
-      case 'round': {
-        const [[frame, own], unit, part] = ink.at;
-        const centre = globalOf(frame, own, seen), axes = axesOf(unit, seen);
-        if (!centre || !axes) return false;
-        const radius = part * Math.hypot(axes.x.x, axes.x.y);
-        if (!(radius < 1e4)) return false;
-        const circle = ink.element.querySelector('circle');
-        for (const [name, value] of [['cx', centre.x], ['cy', centre.y], ['r', radius]]) circle.setAttribute(name, mm(value));
-        return true;
-      }
+      case 'round': return this.moveRound(ink, seen);
       case 'mark': {
         const at = globalOf(ink.at[0], ink.at[1], seen), from = globalOf(ink.at[0], ink.at[1], this.home || seen);
         if (!at || !from) return false;
-        ink.element.setAttribute('transform', `translate(${mm(at.x - from.x)} ${mm(at.y - from.y)})`);
+        ink.element.setAttribute('transform', `translate(${pair(minus(at, from))})`);
         return true;
       }
       case 'turn': return this.moveTurn(ink, seen[ink.at[0]]);
       default: return true;
     }
-  }
-
-  /** A line through all of its points that are known, a little past the outermost of those on the panel; where it goes on to one that is not, to the border with an arrow. @param {any} ink @param {any[]} seen */
-  moveThrough(ink, seen) {
-    const points = ink.at.map((/** @type {any} */ p) => globalOf(p[0], p[1], seen)).filter(Boolean);
-    if (points.length < 2) return false;
-    // The two that are farthest apart tell the direction, told from the one nearest to the middle.
-    const [x0, y0, x1, y1] = this.data.box, middle = { x: (x0 + x1) / 2, y: (y0 + y1) / 2 };
-    const off = (/** @type {any} */ p, /** @type {any} */ q) => Math.hypot(p.x - q.x, p.y - q.y);
-    const near = points.reduce((/** @type {any} */ a, /** @type {any} */ b) => (off(b, middle) < off(a, middle) ? b : a));
-    const far = points.reduce((/** @type {any} */ a, /** @type {any} */ b) => (off(b, near) > off(a, near) ? b : a));
-    const length = off(near, far);
-    if (length < NEAR) return false;
-    const u = { x: (far.x - near.x) / length, y: (far.y - near.y) / length };
-    const ways = points.map((/** @type {any} */ p) => (p.x - near.x) * u.x + (p.y - near.y) * u.y);
-    const along = (/** @type {number} */ way) => ({ x: near.x + u.x * way, y: near.y + u.y * way });
-    const reach = 2 * (x1 - x0 + y1 - y0) + off(near, middle);
-    const cut = clipped(along(-reach), along(reach), this.data.box);
-    if (!cut) return false;
-    const [low, high] = cut.map((part) => (2 * part - 1) * reach);
-    const from = Math.max(low, Math.min(...ways) - PAST), to = Math.min(high, Math.max(...ways) + PAST);
-    if (!(from < to)) return false;
-    let path = `M${pair(along(from))} L${pair(along(to))}`;
-    for (const [end, way] of [[from === low ? low : null, 1], [to === high ? high : null, -1]]) {
-      if (end === null) continue;
-      const tip = along(end), back = along(end + way * 2.5), side = { x: -u.y * 0.5, y: u.x * 0.5 };
-      path += ` M${mm(back.x + side.x)} ${mm(back.y + side.y)} L${pair(tip)} L${mm(back.x - side.x)} ${mm(back.y - side.y)}`;
-    }
-    ink.element.querySelector('path').setAttribute('d', path);
-    return true;
   }
 
   /** One transform for a group. @param {any} ink @param {any[]} seen */
@@ -272,20 +224,16 @@ class Panel {
   /** @param {any} ink @param {any} a @param {any} b */
   moveVector(ink, a, b) {
     if (!a || !b) return false;
-    const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);
+    const d = minus(b, a), length = sizeOf(d);
     const short = length < 1;
     visible(ink.dot, short);
     visible(ink.shaft, !short);
     visible(ink.head, !short);
-    ink.dot.setAttribute('cx', mm(b.x));
-    ink.dot.setAttribute('cy', mm(b.y));
+    having(ink.dot, { cx: mm(b.x), cy: mm(b.y) });
     const u = { x: d.x / (length || 1), y: d.y / (length || 1) };
     const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3);
-    const neck = { x: b.x - u.x * head * 0.9, y: b.y - u.y * head * 0.9 };
-    ink.shaft.setAttribute('d', `M${pair(a)} L${pair(neck)}`);
-    ink.shaft.setAttribute('stroke-width', mm(Math.min(ink.width, head / 4)));
-    const back = { x: b.x - u.x * head, y: b.y - u.y * head }, side = { x: -u.y * head / 6, y: u.x * head / 6 };
-    ink.head.setAttribute('d', `M${pair(b)} L${mm(back.x + side.x)} ${mm(back.y + side.y)} L${mm(back.x - side.x)} ${mm(back.y - side.y)} Z`);
+    having(ink.shaft, { d: `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`, 'stroke-width': mm(Math.min(ink.width, head / 4)) });
+    ink.head.setAttribute('d', headOf(b, u, head));
     return true;
   }
 
@@ -301,40 +249,49 @@ class Panel {
     const end = turn - sign * span * 0.8;
     paths[0].setAttribute('d', `M${pair(at(0))} A${mm(radius)} ${mm(radius)} 0 ${Math.abs(end) > Math.PI ? 1 : 0} ${end < 0 ? 1 : 0} ${pair(at(end))}`);
     if (paths[1]) {
-      const tip = at(turn), way = turn - sign * span / 2;
-      const u = { x: -Math.sin(way) * sign, y: -Math.cos(way) * sign };
-      const back = { x: tip.x - u.x * size, y: tip.y - u.y * size }, side = { x: -u.y * size / 6, y: u.x * size / 6 };
-      paths[1].setAttribute('d', `M${pair(tip)} L${mm(back.x + side.x)} ${mm(back.y + side.y)} L${mm(back.x - side.x)} ${mm(back.y - side.y)} Z`);
+      const way = turn - sign * span / 2;
+      paths[1].setAttribute('d', headOf(at(turn), { x: -Math.sin(way) * sign, y: -Math.cos(way) * sign }, size));
     }
     return true;
   }
 
-  /** Puts the names where they were placed in advance. */
+  /** Puts the names where they were placed in advance. Where a diagram is so small that one would stand in another, the
+   * later one is left out, and counted. */
   place(/** @type {any[]} */ seen, /** @type {number} */ at, /** @type {number} */ step, /** @type {(number | null)[]} */ outputs) {
     const { frames } = this;
     // The frames about the place, and how far it is between them.
-    let low = 0, high = frames.length - 1;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (frames[middle] <= at) low = middle; else high = middle;
+    let low = 0, next = frames.length - 1;
+    while (next - low > 1) {
+      const middle = (low + next) >> 1;
+      if (frames[middle] <= at) low = middle; else next = middle;
     }
-    const way = frames[high] - frames[low];
+    const way = frames[next] - frames[low];
     let part = way > 0 ? Math.min(1, Math.max(0, (at - frames[low]) / way)) : 0;
     if (this.calm) part = Math.round(part);
+    /** Names that stand: middle and half sizes. @type {number[][]} */
+    const stand = [];
+    this.crowded = 0;
     for (const label of this.labels) {
       const ends = label.anchors.map((/** @type {any} */ a) => globalOf(a[0], a[1], seen));
       let shown = !ends.includes(null) && (label.step === null || label.step <= step)
         && (label.output === undefined || Boolean(outputs[label.output]));
       const [x0, y0, x1, y1] = this.data.box;
       if (shown && ends.length === 1) shown = ends[0].x > x0 && ends[0].x < x1 && ends[0].y > y0 && ends[0].y < y1;
-      if (shown && ends.length === 2 && this.data.polygon) {
-        shown = Math.hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y) >= 4;
-      }
+      if (shown && ends.length === 2 && this.data.polygon) shown = sizeOf(minus(ends[1], ends[0])) >= 4;
       visible(label.element, shown);
+      label.spot = null;
       if (!shown) continue;
-      const middle = ends.length === 2 ? { x: (ends[0].x + ends[1].x) / 2, y: (ends[0].y + ends[1].y) / 2 } : ends[0];
-      const by = [0, 1].map((axis) => (label.by[2 * low + axis] * (1 - part) + label.by[2 * high + axis] * part) / 10);
-      const text = `translate(${(middle.x + by[0]).toFixed(3)} ${(middle.y + by[1]).toFixed(3)})`;
+      const middle = ends.length === 2 ? plus(ends[0], minus(ends[1], ends[0]), 0.5) : ends[0];
+      const by = [0, 1].map((axis) => (label.by[2 * low + axis] * (1 - part) + label.by[2 * next + axis] * part) / 10);
+      const x = middle.x + by[0], y = middle.y + by[1], [wide, high] = label.half;
+      if (stand.some((other) => wide + other[2] - Math.abs(x - other[0]) > 0 && high + other[3] - Math.abs(y - other[1]) > 0)) {
+        visible(label.element, false);
+        this.crowded += 1;
+        continue;
+      }
+      stand.push([x, y, wide, high]);
+      label.spot = [{ x, y }, middle];
+      const text = `translate(${x.toFixed(3)} ${y.toFixed(3)})`;
       if (text !== label.last) label.element.setAttribute('transform', text);
       label.last = text;
     }

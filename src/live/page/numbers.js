@@ -6,7 +6,7 @@ function scientific(/** @type {number} */ value, /** @type {number} */ digits) {
   const more = Math.abs(value).toExponential(digits + 1);
   if (!/5e/.test(more)) return text;
   const [mantissa, exponent] = Math.abs(value).toExponential(Math.min(100, digits + 60)).split('e');
-  if (!/^5?0*$/.test(mantissa.slice(digits + 2 + (digits === 0 ? 0 : 0)).replace('.', ''))) return text;
+  if (!/^5?0*$/.test(mantissa.slice(digits + 2).replace('.', ''))) return text;
   // The exact tie: cut, and up where the last digit is odd.
   const cut = mantissa.slice(0, digits === 0 ? 1 : digits + 2);
   if (Number(cut[cut.length - 1]) % 2 !== 0) return text;
@@ -28,18 +28,8 @@ function fixed(/** @type {number} */ value, /** @type {number} */ decimals) {
 
 /** Whole digits in groups of three, from five on. @param {string} text */
 function grouped(text) {
-  const point = text.indexOf('.') < 0 ? text.length : text.indexOf('.');
-  const digits = text.slice(0, point).replace(/[^0-9]/g, '').length;
-  if (digits < 5) return text;
-  let left = digits, out = '';
-  for (const c of text.slice(0, point)) {
-    if (c >= '0' && c <= '9') {
-      if (left < digits && left % 3 === 0) out += '\u2009';
-      left -= 1;
-    }
-    out += c;
-  }
-  return out + text.slice(point);
+  const [whole, ...rest] = text.split('.');
+  return [/\d{5}/.test(whole) ? whole.replace(/\d(?=(\d{3})+$)/g, '$&\u2009') : whole, ...rest].join('.');
 }
 
 /** @returns {[string, string]} the number, and the power of ten that is set high. */
@@ -59,12 +49,28 @@ function figures(/** @type {number} */ value, /** @type {number} */ digits, /** 
   return [`${tidy(mantissa)}\u00a0×\u00a010`, String(exponent).replace('-', '\u2212')];
 }
 
-/** As the sheet writes a computed number. @param {number} value */
-function numberParts(value) {
-  const size = Math.abs(value);
-  const short = Number(scientific(value, 2));
+/** As the sheet writes a computed number, with so many figures more than usual: what three figures say whole has no more. @returns {[string, string]} */
+function numberParts(/** @type {number} */ value, more = 0) {
+  const size = Math.abs(value), short = Number(scientific(value, 2));
   if (Math.abs(short - value) <= 1e-9 * size) return figures(value, 3, true);
-  return figures(value, size >= 1000 ? 4 : 3, false);
+  return figures(value, (size >= 1000 ? 4 : 3) + more, false);
+}
+
+/** Whether so short a vector is a point on paper. @param {number} mm */
+function isPoint(mm) {
+  return Math.round(10 * mm) < 10;
+}
+
+/** A reading on paper, and what it is by the scale: to tenths of a millimetre, or to hundredths where the product would not be
+ * the number that stands for the result without them; where no ruler reads finer that number is what was read.
+ * @param {number} mm @param {number} factor @param {number} result @param {number} wished figures more than usual */
+function readOff(mm, factor, result, wished) {
+  const usual = result >= 1000 ? 4 : 3, more = Math.min(wished, 4 - usual), last = usual + more - 1;
+  const written = Number(scientific(result, last)), half = 0.5 * 10 ** (Math.floor(Math.log10(written)) - last) * (1 + 1e-9);
+  for (let decimals = 1; ; decimals++) {
+    const text = fixed(mm, decimals), amount = Number(text) * factor, agrees = Math.abs(amount - written) <= half;
+    if (agrees || decimals === (mm < 100 ? 2 : 1)) return [text, withPower(agrees ? result : amount, more)];
+  }
 }
 
 /** An angle in degrees, one decimal at most. @param {number} radians */

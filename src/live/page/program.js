@@ -82,6 +82,61 @@ class Program {
     this.lost[row] = lost;
   }
 
+  /** The result of a step; of cosine and sine both are in `circular`. */
+  result(/** @type {number} */ step, /** @type {number[]} */ signs, /** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ c, /** @type {number} */ d) {
+    const { code } = this;
+    switch (code[step]) {
+      case SUM: return a + b;
+      case DIFFERENCE: return a - b;
+      case OPPOSITE: return -a;
+      case PRODUCT: return a * b;
+      case QUOTIENT: return a / b;
+      case ROOT: return rootOf(a);
+      case HALF_CHORD: return signs[code[step + 4]] * rootOf(a);
+      case DOT: return a * b + c * d;
+      case CROSS: return a * b - c * d;
+      case WHOLE: return Math.floor(a);
+      case ANGLE: return angleOf(a, b);
+      case TURNED: return angleNear(signs[this.signCount + code[step + 5]], a, b);
+      default:
+        sinCos(a);
+        return code[step] === COSINE ? circular.cosine : circular.sine;
+    }
+  }
+
+  /** The slopes of a result by its operands, into `partials`. Gives the size of the products that it is a sum of. */
+  differentiate(/** @type {number} */ kind, /** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ c, /** @type {number} */ d, /** @type {number} */ out) {
+    const { partials } = this;
+    partials.fill(0);
+    switch (kind) {
+      case SUM: partials[0] = 1; partials[1] = 1; break;
+      case DIFFERENCE: partials[0] = 1; partials[1] = -1; break;
+      case OPPOSITE: partials[0] = -1; break;
+      case PRODUCT: partials[0] = b; partials[1] = a; break;
+      case QUOTIENT:
+        if (Number.isFinite(out) && Number.isFinite(1 / b) && Number.isFinite(out / b)) {
+          partials[0] = 1 / b;
+          partials[1] = -out / b;
+        }
+        break;
+      case ROOT: case HALF_CHORD: partials[0] = finiteOr0(0.5 / out); break;
+      case DOT: case CROSS: {
+        const sign = kind === DOT ? 1 : -1;
+        partials[0] = b; partials[1] = a; partials[2] = sign * d; partials[3] = sign * c;
+        return Math.abs(a * b) + Math.abs(c * d);
+      }
+      case COSINE: partials[0] = -circular.sine; break;
+      case SINE: partials[0] = circular.cosine; break;
+      case WHOLE: break;
+      default: {
+        const square = a * a + b * b;
+        partials[0] = finiteOr0(b / square);
+        partials[1] = finiteOr0(-a / square);
+      }
+    }
+    return 0;
+  }
+
   /** Computes one position with errors. @param {number} input @param {number[]} signs */
   look(input, signs) {
     const { code, value, of, partials } = this;
@@ -105,43 +160,8 @@ class Program {
       const count = OPERANDS[kind];
       for (let i = 0; i < 4; i++) of[i] = i < count ? value[code[step + 3 + i]] : 0;
       if (kind === HALF_CHORD && !this.isClear(code[step + 3])) of[0] = 0;
-      const [a, b, c, d] = of;
-      let out = 0, products = 0;
-      partials.fill(0);
-      switch (kind) {
-        case SUM: out = a + b; partials[0] = 1; partials[1] = 1; break;
-        case DIFFERENCE: out = a - b; partials[0] = 1; partials[1] = -1; break;
-        case OPPOSITE: out = -a; partials[0] = -1; break;
-        case PRODUCT: out = a * b; partials[0] = b; partials[1] = a; break;
-        case QUOTIENT:
-          out = a / b;
-          if (Number.isFinite(out) && Number.isFinite(1 / b) && Number.isFinite(out / b)) {
-            partials[0] = 1 / b;
-            partials[1] = -out / b;
-          }
-          break;
-        case ROOT: out = rootOf(a); partials[0] = finiteOr0(0.5 / out); break;
-        case HALF_CHORD: out = signs[code[step + 4]] * rootOf(a); partials[0] = finiteOr0(0.5 / out); break;
-        case DOT:
-          out = a * b + c * d;
-          partials[0] = b; partials[1] = a; partials[2] = d; partials[3] = c;
-          products = Math.abs(a * b) + Math.abs(c * d);
-          break;
-        case CROSS:
-          out = a * b - c * d;
-          partials[0] = b; partials[1] = a; partials[2] = -d; partials[3] = -c;
-          products = Math.abs(a * b) + Math.abs(c * d);
-          break;
-        case COSINE: sinCos(a); out = circular.cosine; partials[0] = -circular.sine; break;
-        case SINE: sinCos(a); out = circular.sine; partials[0] = circular.cosine; break;
-        case WHOLE: out = Math.floor(a); break;
-        default: {
-          out = kind === TURNED ? angleNear(signs[this.signCount + code[step + 5]], a, b) : angleOf(a, b);
-          const square = a * a + b * b;
-          partials[0] = finiteOr0(b / square);
-          partials[1] = finiteOr0(-a / square);
-        }
-      }
+      const out = this.result(step, signs, of[0], of[1], of[2], of[3]);
+      const products = this.differentiate(kind, of[0], of[1], of[2], of[3], out);
       this.carry(to, step, count, out);
       if (kind !== WHOLE) this.round(to, 2 * UNIT * Math.abs(out) + UNIT * products, last & 255);
       if (last & 256 && !this.isClear(to)) this.lost[to] = 1;
@@ -174,28 +194,13 @@ class Program {
     const { code } = this;
     row[0] = input;
     for (const step of steps) {
-      const a = row[code[step + 3]], b = row[code[step + 4]], c = row[code[step + 5]], d = row[code[step + 6]];
-      const kind = code[step], to = code[step + 1];
-      switch (kind) {
-        case FIND: this.find(step, signs, row); break;
-        case SUM: row[to] = a + b; break;
-        case DIFFERENCE: row[to] = a - b; break;
-        case OPPOSITE: row[to] = -a; break;
-        case PRODUCT: row[to] = a * b; break;
-        case QUOTIENT: row[to] = a / b; break;
-        case ROOT: row[to] = rootOf(a); break;
-        case HALF_CHORD: row[to] = signs[code[step + 4]] * rootOf(a); break;
-        case DOT: row[to] = a * b + c * d; break;
-        case CROSS: row[to] = a * b - c * d; break;
-        case WHOLE: row[to] = Math.floor(a); break;
-        case ANGLE: row[to] = angleOf(a, b); break;
-        case TURNED: row[to] = angleNear(signs[this.signCount + code[step + 5]], a, b); break;
-        default: {
-          sinCos(a);
-          row[to] = kind === COSINE ? circular.cosine : circular.sine;
-          if (code[step + 2] !== 0) row[code[step + 2]] = kind === COSINE ? circular.sine : circular.cosine;
-        }
+      const kind = code[step], second = code[step + 2];
+      if (kind === FIND) {
+        this.find(step, signs, row);
+        continue;
       }
+      row[code[step + 1]] = this.result(step, signs, row[code[step + 3]], row[code[step + 4]], row[code[step + 5]], row[code[step + 6]]);
+      if (second !== 0) row[second] = kind === COSINE ? circular.sine : circular.cosine;
     }
   }
 }

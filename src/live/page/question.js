@@ -63,12 +63,7 @@ form.addEventListener('submit', (event) => {
     return;
   }
   try {
-    if (window.origin === 'null' && (location.protocol !== 'file:' || window !== window.parent)) throw new Error('sandboxed');
-    const link = document.createElement('a');
-    link.download = 'answers.json';
-    link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
-    link.click();
-    URL.revokeObjectURL(link.href);
+    download(text, 'answers.json', 'application/json');
   } catch {
     out.hidden = false;
     out.value = text;

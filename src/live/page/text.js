@@ -2,6 +2,11 @@
 
 const SVG = 'http://www.w3.org/2000/svg';
 
+/** @param {string} text */
+function unescaped(text) {
+  return text.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+}
+
 /** Puts a run of text with <i>, <sub>, <sup> and three entities into an element, in the place of what was there. */
 function setRich(/** @type {Element} */ into, /** @type {string} */ text) {
   into.replaceChildren();
@@ -9,7 +14,7 @@ function setRich(/** @type {Element} */ into, /** @type {string} */ text) {
   for (const part of text.split(/(<\/?(?:i|b|sub|sup)>)/)) {
     const tag = /^<(\/?)(i|b|sub|sup)>$/.exec(part);
     if (!tag) {
-      if (part) open[open.length - 1].append(part.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&'));
+      if (part) open[open.length - 1].append(unescaped(part));
     } else if (tag[1]) {
       if (open.length > 1) open.pop();
     } else {
@@ -22,7 +27,7 @@ function setRich(/** @type {Element} */ into, /** @type {string} */ text) {
 
 /** The same as plain characters. @param {string} text */
 function plainText(text) {
-  return text.replace(/<\/?(?:i|b|sub|sup)>/g, '').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+  return unescaped(text.replace(/<\/?(?:i|b|sub|sup)>/g, ''));
 }
 
 /** The same in one line, digits set low as such. @param {string} text */
@@ -42,17 +47,35 @@ function setText(/** @type {Element} */ element, /** @type {string} */ text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** A new element. */
-function make(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}, /** @type {string} */ text = '') {
-  const element = document.createElement(name);
+/** Attributes of an element. @template {Element} E @returns {E} */
+function having(/** @type {E} */ element, /** @type {Record<string, string>} */ attributes) {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  if (text) element.textContent = text;
   return element;
 }
 
-/** An element of a drawing. */
-function makeInk(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}) {
-  const element = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+/** A new element with what is in it. @returns {any} */
+function make(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}, /** @type {(Node | string)[]} */ ...inside) {
+  const element = having(document.createElement(name), attributes);
+  element.append(...inside);
   return element;
+}
+
+/** An element of a drawing. @returns {any} */
+function makeInk(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}) {
+  return having(document.createElementNS(SVG, name), attributes);
+}
+
+/** Does something whenever one of some events comes to an element. */
+function on(/** @type {EventTarget} */ element, /** @type {string} */ events, /** @type {(event: any) => void} */ does) {
+  for (const event of events.split(' ')) element.addEventListener(event, does);
+}
+
+/** @returns {any[]} */
+function allOf(/** @type {string} */ selector) {
+  return [...document.querySelectorAll(selector)];
+}
+
+/** @returns {any} */
+function byId(/** @type {string} */ id) {
+  return document.getElementById(id);
 }

@@ -5,12 +5,8 @@ const PLACES = 720;
 
 /** The places of the course at which curves are reckoned: equal steps and every event, each with its stretch. */
 function courseNodes(/** @type {any} */ course) {
-  const [from, to] = course.live.variable.range;
-  const all = [];
-  for (let i = 0; i <= PLACES; i++) all.push(i === PLACES ? to : from * ((PLACES - i) / PLACES) + to * (i / PLACES));
-  for (const event of course.events) all.push(event.at);
-  all.sort((a, b) => a - b);
-  return all;
+  const events = course.events.map((/** @type {any} */ event) => event.at);
+  return [...equalSteps(course.live.variable.range, PLACES), ...events].sort((a, b) => a - b);
 }
 
 /** Outputs over the course, one list for each stretch that hangs together: [[at, values], ...]. */
@@ -64,10 +60,10 @@ function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @t
   return path;
 }
 
-/** The next of 1, 2, 5 and their tenfolds. @param {number} least */
-function roundStep(least) {
+/** The next of some numbers and their tenfolds. */
+function roundUp(/** @type {number} */ least, steps = [1, 2, 5]) {
   const power = 10 ** Math.floor(Math.log10(least));
-  return power * ([1, 2, 5].find((step) => step * power >= least * (1 - 1e-12)) || 10);
+  return power * (steps.find((step) => step * power >= least * (1 - 1e-12)) || 10);
 }
 
 /** A diagram of one output over the input, in a box of 1000 by 320. */
@@ -136,7 +132,7 @@ class CurveDiagram {
       this.numbers.append(tick);
     };
     const degrees = variable.unit === 'deg' && to - from >= 90 ? (to - from > 400 ? 180 : 45) : 0;
-    for (const [least, most, axis, step] of [[from, to, 'x', degrees || roundStep((to - from) / 6)], [low, high, 'y', roundStep((high - low) / 5)]]) {
+    for (const [least, most, axis, step] of [[from, to, 'x', degrees || roundUp((to - from) / 6)], [low, high, 'y', roundUp((high - low) / 5)]]) {
       for (let i = Math.ceil(least / step); i * step <= most; i++) put(Number((i * step).toPrecision(12)), (i * step - least) / (most - least), axis);
     }
     this.grid.setAttribute('d', grid);

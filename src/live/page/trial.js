@@ -9,9 +9,9 @@ const CARRIED = 1e-9;
  * @param {number} from @param {number} to @param {number[]} signs @param {Float64Array} row @param {Float64Array} slope
  */
 Program.prototype.runWithSlopes = function runWithSlopes(from, to, signs, row, slope) {
-  const { code } = this;
+  const { code, partials } = this;
   let apart = 0, parting = 0;
-  const values = [0, 0, 0, 0], moves = [0, 0, 0, 0], partials = [0, 0, 0, 0];
+  const values = [0, 0, 0, 0], moves = [0, 0, 0, 0];
   for (let step = from; step < to; step += WIDTH) {
     const kind = code[step], count = OPERANDS[kind], second = code[step + 2];
     for (let i = 0; i < 4; i++) {
@@ -29,34 +29,8 @@ Program.prototype.runWithSlopes = function runWithSlopes(from, to, signs, row, s
       row[to] = value;
       slope[to] = sum;
     };
-    partials.fill(0);
-    let out = 0;
-    switch (kind) {
-      case SUM: out = a + b; partials[0] = 1; partials[1] = 1; break;
-      case DIFFERENCE: out = a - b; partials[0] = 1; partials[1] = -1; break;
-      case OPPOSITE: out = -a; partials[0] = -1; break;
-      case PRODUCT: out = a * b; partials[0] = b; partials[1] = a; break;
-      case QUOTIENT:
-        out = a / b;
-        if (Number.isFinite(out) && Number.isFinite(1 / b) && Number.isFinite(out / b)) {
-          partials[0] = 1 / b;
-          partials[1] = -out / b;
-        }
-        break;
-      case ROOT: out = rootOf(a); partials[0] = finiteOr0(0.5 / out); break;
-      case HALF_CHORD: out = signs[code[step + 4]] * rootOf(a); partials[0] = finiteOr0(0.5 / out); break;
-      case DOT: out = a * b + c * d; partials[0] = b; partials[1] = a; partials[2] = d; partials[3] = c; break;
-      case CROSS: out = a * b - c * d; partials[0] = b; partials[1] = a; partials[2] = -d; partials[3] = -c; break;
-      case COSINE: sinCos(a); out = circular.cosine; partials[0] = -circular.sine; break;
-      case SINE: sinCos(a); out = circular.sine; partials[0] = circular.cosine; break;
-      case WHOLE: out = Math.floor(a); break;
-      default: {
-        out = kind === TURNED ? angleNear(signs[this.signCount + code[step + 5]], a, b) : angleOf(a, b);
-        const square = a * a + b * b;
-        partials[0] = finiteOr0(b / square);
-        partials[1] = finiteOr0(-a / square);
-      }
-    }
+    const out = this.result(step, signs, a, b, c, d);
+    this.differentiate(kind, a, b, c, d, out);
     note(code[step + 1], out);
     if (second !== 0) {
       partials[0] = kind === COSINE ? circular.cosine : -circular.sine;

@@ -1,23 +1,18 @@
 // The values of one position as the sheet tells them.
 
-/** A number with its power of ten set high. */
-function withPower(/** @type {number} */ value) {
-  const [digits, power] = numberParts(value);
+/** A number with its power of ten set high. @param {[string, string]} parts */
+function raised([digits, power]) {
   return power ? `${digits}<sup>${power}</sup>` : digits;
 }
 
-/** A number as a line of a step has it, with so many figures more than usual. */
-function withGuard(/** @type {number} */ value, /** @type {number} */ more) {
-  const short = Number(scientific(value, 2));
-  if (more === 0 || Math.abs(short - value) <= 1e-9 * Math.abs(value)) return withPower(value);
-  const [digits, power] = figures(value, (Math.abs(value) >= 1000 ? 4 : 3) + more, false);
-  return power ? `${digits}<sup>${power}</sup>` : digits;
+/** As the sheet writes a computed number, with so many figures more than usual, as a line of a step may have it. */
+function withPower(/** @type {number} */ value, more = 0) {
+  return raised(numberParts(value, more));
 }
 
 /** A stated number: as many of its figures as it needs, at most six. @param {number} value */
 function stated(value) {
-  const [digits, power] = figures(value, 6, true);
-  return power ? `${digits}<sup>${power}</sup>` : digits;
+  return raised(figures(value, 6, true));
 }
 
 /** @param {string} text @param {string} unit */
@@ -26,41 +21,54 @@ function withUnit(text, unit) {
   return unit === '°' ? `${text}°` : `${text}\u00a0${unit}`;
 }
 
-/** Value and sense of a quantity: what its running error does not tell from zero reads zero. */
-function told(/** @type {any} */ quantity, /** @type {any} */ course, /** @type {(number | null)[]} */ outputs, /** @type {any} */ words) {
-  const { program, live } = course;
-  const own = quantity.outputs.map((/** @type {number} */ i) => outputs[i]);
-  if (own.length === 0 || own.includes(null)) return { value: '—', sense: reasonOf(quantity, course, words), size: null };
-  const rows = quantity.outputs.map((/** @type {number} */ i) => live.outputs[i].row);
-  const clear = (/** @type {number} */ i) => (program.isClear(rows[i]) ? own[i] : 0);
-  switch (quantity.kind) {
+/** A number of the position: what its running error does not tell from zero is zero. */
+function clearNumber(/** @type {any} */ { program, live }, /** @type {any} */ outputs, /** @type {number} */ index) {
+  return program.isClear(live.outputs[index].row) ? outputs[index] : 0;
+}
+
+/** The size of the vector whose first coordinate is an output, and its direction; zero as a number is. */
+function clearVector(/** @type {any} */ { program, live }, /** @type {any} */ outputs, /** @type {number} */ index) {
+  const [x, y] = [0, 1].map((axis) => outputs[index + axis]);
+  const bound = Math.hypot(program.error(live.outputs[index].row), program.error(live.outputs[index + 1].row)) * CLEAR;
+  const size = Math.hypot(x, y);
+  return size <= bound ? [0, 0] : [size, angleOf(y, x)];
+}
+
+/** A number that begins with an output, in a unit: with the figures with which the steps tell it, or so many more than usual. */
+function amountText(/** @type {Page} */ page, /** @type {number} */ output, /** @type {number} */ value, /** @type {number} */ si, more = 0) {
+  const own = page.figures.get(output);
+  if (own?.si !== si) return withPower(value / si, more);
+  const { siPerMm } = page.panels[own.panel] || {};
+  if (!siPerMm || isPoint(value / siPerMm)) return withPower(value / si, own.more);
+  return readOff(value / siPerMm, siPerMm / si, value / si, own.more)[1];
+}
+
+/** Value and sense of a quantity. @returns {{value: string, sense: string}} */
+function told(/** @type {any} */ { kind, outputs: own, si, unit }, /** @type {Page} */ page) {
+  const { course, outputs, words } = page;
+  if (own.length === 0 || own.some((/** @type {number} */ i) => outputs[i] === null)) return { value: '—', sense: reasonOf(own, course, words) };
+  const clear = (/** @type {number} */ i) => clearNumber(course, outputs, own[i]);
+  // Rounded once, as in the table of the sheet.
+  const amount = (/** @type {number} */ value) => withPower(value / si);
+  const said = (/** @type {string} */ text, sense = '') => ({ value: withUnit(text, unit), sense });
+  switch (kind) {
     case 'rotation': {
       const value = clear(0);
-      const sense = value === 0 ? '' : value > 0 ? words.ccw : words.cw;
-      return { value: withUnit(withPower(Math.abs(value) / quantity.si), quantity.unit), sense, size: value };
+      return said(amount(Math.abs(value)), value === 0 ? '' : value > 0 ? words.ccw : words.cw);
     }
-    case 'place': {
-      const pair = [clear(0), clear(1)].map((x) => withPower(x / quantity.si));
-      return { value: withUnit(`(${pair[0]};\u00a0${pair[1]})`, quantity.unit), sense: '', size: null };
-    }
+    case 'place': return said(`(${withPower(clear(0) / si)};\u00a0${withPower(clear(1) / si)})`);
     case 'vector': {
-      const bound = Math.hypot(program.error(rows[0]), program.error(rows[1])) * CLEAR;
-      const size = Math.hypot(own[0], own[1]);
-      if (size <= bound) return { value: withUnit('0', quantity.unit), sense: '', size: 0 };
-      const sense = `∠\u00a0${degrees(angleOf(own[1], own[0]))}`;
-      return { value: withUnit(withPower(size / quantity.si), quantity.unit), sense, size };
+      const [size, angle] = clearVector(course, outputs, own[0]);
+      return size === 0 ? said('0') : said(amount(size), `∠\u00a0${degrees(angle)}`);
     }
-    default: {
-      const value = clear(0);
-      return { value: withUnit(withPower(value / quantity.si), quantity.unit), sense: '', size: value };
-    }
+    default: return said(amount(clear(0)));
   }
 }
 
 /** Why a quantity is not known here: the links of the divisors behind it that do not stand clear. */
-function reasonOf(/** @type {any} */ quantity, /** @type {any} */ course, /** @type {any} */ words) {
+function reasonOf(/** @type {number[]} */ outputs, /** @type {any} */ course, /** @type {any} */ words) {
   const { live, program } = course;
-  for (const output of quantity.outputs) {
+  for (const output of outputs) {
     for (const index of live.behind[output]) {
       const [row, reason] = program.divisors[index];
       const links = live.reasons[reason] || [];

@@ -1,0 +1,101 @@
+// The diagrams with their captions: scales, and in words what cannot be seen.
+
+/** Flatter crossings than this are badly readable by hand. */
+const FLAT = 3 * Math.PI / 180;
+
+/** @param {Page} page */
+function showDiagrams(page) {
+  const { panels, live, calm, variable } = page;
+
+  /** The scale of a panel in this position, by the rule for one position. @param {Panel} panel */
+  function refitted(panel) {
+    const { data } = panel;
+    if (!page.refit || !data.polygon) return data.si_per_mm;
+    panel.siPerMm = 1;
+    const seen = panel.seen(page.outputs).filter(Boolean);
+    const [x0, y0, x1, y1] = data.box;
+    const part = (/** @type {number} */ way, /** @type {number} */ low, /** @type {number} */ high) => (way === 0 ? 0 : way / (way > 0 ? high - 13 : low + 13));
+    const needed = Math.max(0, ...seen.map((/** @type {any} */ p) => Math.max(part(p.x, x0, x1), part(p.y, y0, y1)))) / data.unit * 10;
+    if (!(needed > 0) || !Number.isFinite(needed)) return data.si_per_mm;
+    return roundUp(needed, [1, 2, 2.5, 5]) * data.unit / 10;
+  }
+
+  /** The least angle at which two lines of a panel meet that lead to one place. @param {Panel} panel */
+  function flattest(panel) {
+    const rays = panel.ink.filter((ink) => ink.move === 'ray' && ink.element.getAttribute('visibility') !== 'hidden');
+    let least = Math.PI / 2;
+    rays.forEach((one, i) => {
+      for (const other of rays.slice(i + 1)) {
+        if (one.at[1] !== other.at[1] || one.step !== other.step) continue;
+        const [a, b] = [one, other].map((ink) => minus(panel.now[ink.at[1]], panel.now[ink.at[0]]));
+        const size = sizeOf(a) * sizeOf(b);
+        if (size > 0) least = Math.min(least, Math.asin(Math.min(1, Math.abs(a.x * b.y - a.y * b.x) / size)));
+      }
+    });
+    return least;
+  }
+
+  /** In words what leaves the panel, the longest vector that does, and what crosses too flat. @param {Panel} panel */
+  function beyond(panel) {
+    const [x0, y0, x1, y1] = panel.data.box;
+    let longest = 0, name = '';
+    for (const ink of panel.ink) {
+      if (ink.move !== 'vector' || !live.quantities[ink.quantity]) continue;
+      const [a, b] = ink.at.map((/** @type {number} */ i) => panel.now[i]);
+      if (!a || !b || (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1)) continue;
+      const length = sizeOf(minus(b, a));
+      if (length > longest) [longest, name] = [length, ink.quantity];
+    }
+    const angle = flattest(panel);
+    const flat = angle < FLAT ? ` ${filled(page.text.flat, { angle: degrees(angle) })}` : '';
+    if (name === '') return flat;
+    const said = filled(page.words.beyond, { name: name.replace(/[<&]/g, ''), length: `${plainText(withPower(longest))}\u00a0mm` });
+    return ` · ${said}${flat}`;
+  }
+
+  /** A sentence of so many; nothing of none. */
+  function said(/** @type {number} */ count, /** @type {string} */ several, /** @type {string} */ one) {
+    return count === 0 ? '' : ` · ${filled(count === 1 ? one : several, { count: String(count) })}`;
+  }
+
+  page.add({
+    show() {
+      for (const panel of panels) {
+        const { data, index } = panel;
+        panel.siPerMm = refitted(panel);
+        panel.calm = calm.matches;
+        panel.angle = variable.kind === 'angle' ? page.at : undefined;
+        panel.show(page.outputs, page.at, page.step > page.last ? Infinity : page.step, page.isOwn);
+        if (data.polygon) {
+          const value = withUnit(plainText(stated(panel.siPerMm * 10 / data.unit)), data.unit_symbol);
+          setText(byId(`scale${index}`), filled(page.text.scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
+        }
+        const { no_room: names, no_room_one: name, not_moving: strokes, not_moving_one: stroke } = page.words;
+        const still = page.isOwn ? 0 : data.still;
+        setText(byId(`beyond${index}`), (data.polygon ? beyond(panel) : said(still, strokes, stroke)) + said(panel.crowded, names, name));
+      }
+    },
+    speak() {
+      const { panels: titles, scales } = page.text;
+      titles.forEach((/** @type {string} */ title, /** @type {number} */ i) => {
+        setRich(byId(`title${i}`), title);
+        setRich(byId(`scale${i}`), scales[i]);
+      });
+    },
+  });
+}
+
+/** Panels that fill the window. @param {Page} page */
+function fillWindow(page) {
+  let latest = byId('figure0');
+  for (const { index } of page.panels) {
+    const figure = byId(`figure${index}`);
+    figure.append(page.button({ class: 'out' }, 'close', () => figure.classList.remove('whole')));
+    on(figure, 'pointerdown', () => { latest = figure; });
+  }
+  const whole = () => document.querySelector('.panel.whole');
+  return {
+    fill: () => { (whole() || latest).classList.toggle('whole'); },
+    leave: () => { whole()?.classList.remove('whole'); },
+  };
+}

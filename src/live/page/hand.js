@@ -1,0 +1,110 @@
+// The hand: joints and bars that lead the input, and the mark of a limit.
+
+/** Whether a place goes anywhere over the course. */
+function moves(/** @type {Page} */ page, /** @type {Panel} */ panel, /** @type {number} */ place) {
+  const [stretch] = page.course.stretches;
+  if (!stretch || !panel.data.places[place]?.length) return false;
+  const seen = [0.2, 0.45, 0.7].map((part) => {
+    const numbers = page.course.look(stretch.from + part * (stretch.to - stretch.from));
+    return numbers && panel.seen(numbers)[place];
+  }).filter(Boolean);
+  return seen.some((p) => sizeOf(minus(p, seen[0])) > 1e-6);
+}
+
+/** @param {Page} page @param {() => void} halt stops the playing */
+function handLeads(page, halt) {
+  const { panels: [skeleton], track, course, variable } = page, { svg } = skeleton;
+  /** What the hand holds: a point of a frame, and its way beyond a limit. @type {{pointer: number, spot: any, beyond: any[]}} */
+  const free = { pointer: -1, spot: null, beyond: [] };
+  let held = free;
+  const way = makeInk('path', { class: 'way' }), stop = makeInk('circle', { class: 'stop', r: '3.2' });
+  const layer = makeInk('g', { class: 'grips' });
+  /** @type {{place: number, grip: any}[]} */
+  const grips = [];
+  /** @type {{frame: number[], reach: any}[]} */
+  const reaches = [];
+  const most = variable.kind === 'angle' ? Math.PI / 6 : page.span / 12;
+
+  /** Ink that is held leads the input to where the point that was taken comes nearest to the pointer. */
+  function hold(/** @type {Element} */ element, /** @type {(at: any) => any} */ spotAt) {
+    const here = (/** @type {any} */ event) => {
+      const matrix = svg.getScreenCTM();
+      return matrix && new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    };
+    on(element, 'pointerdown', (event) => {
+      // A second finger zooms.
+      if (event.button !== 0 || !event.isPrimary || held.pointer !== -1) return;
+      const at = here(event);
+      const spot = at && spotAt(at);
+      if (!spot || !spot[1]) return;
+      held = { pointer: event.pointerId, spot, beyond: [] };
+      element.setPointerCapture(event.pointerId);
+      halt();
+      event.preventDefault();
+    });
+    on(element, 'pointermove', (event) => {
+      const at = event.pointerId === held.pointer && here(event);
+      if (!at) return;
+      page.dragged = true;
+      const found = seekSpot(course, track, skeleton, held.spot, at, page.at, most);
+      held.beyond = found.stopped ? [...held.beyond, at] : [];
+      page.goes(found);
+    });
+    on(element, 'pointerup pointercancel lostpointercapture', (event) => {
+      if (event.pointerId === held.pointer) letGo();
+    });
+  }
+
+  function letGo() {
+    if (held === free) return;
+    held = free;
+    page.stopped = false;
+    page.queue();
+  }
+
+  svg.append(layer, stop, way);
+  skeleton.data.places.forEach((/** @type {any} */ _, /** @type {number} */ place) => {
+    if (!moves(page, skeleton, place)) return;
+    const grip = makeInk('circle', { class: 'grip', r: '6' });
+    layer.append(grip);
+    grips.push({ place, grip });
+    hold(grip, () => [[1, place], [0, 0]]);
+  });
+  // A stroke between two places is thin: beside it is as good, and any other ink by itself.
+  for (const ink of skeleton.ink) {
+    if (ink.move !== 'whole') continue;
+    const frame = ink.at, local = (/** @type {any} */ at) => [frame, localOf(frame, at, skeleton.now)];
+    hold(ink.element, local);
+    if (frame[0] !== 2 || !ink.element.querySelector('.bar')) continue;
+    const reach = makeInk('path', { class: 'reach', 'data-link': ink.element.dataset.link || '' });
+    reaches.push({ frame, reach });
+    hold(reach, local);
+    layer.before(reach);
+  }
+  document.addEventListener('pointerdown', (event) => {
+    page.dragged = false;
+    if (!event.isPrimary) letGo();
+  }, true);
+
+  const put = (/** @type {Element} */ circle, /** @type {any} */ at) => {
+    if (at) having(circle, { cx: mm(at.x), cy: mm(at.y) });
+  };
+  page.add({
+    show() {
+      const { now } = skeleton;
+      for (const { place, grip } of grips) put(grip, now[place]);
+      for (const { frame, reach } of reaches) {
+        const [, a, b] = frame;
+        if (now[a] && now[b]) reach.setAttribute('d', `M${pair(now[a])} L${pair(now[b])}`);
+      }
+      // A limit is marked where the hand holds the mechanism, or at a joint.
+      const spot = held.spot ? globalOf(held.spot[0], held.spot[1], now) : grips[0] && now[grips[0].place];
+      const beyond = spot ? held.beyond : [];
+      visible(stop, Boolean(page.stopped && spot));
+      put(stop, spot);
+      visible(way, beyond.length > 0);
+      if (beyond.length > 0) way.setAttribute('d', `M${[spot, ...beyond].map(pair).join(' L')}`);
+    },
+  });
+  return { letGo };
+}

@@ -1,0 +1,93 @@
+// What the page gives away: drawings, the table of numbers, the address of the position.
+
+/** A name that is no farther from its point stands beside it, mm. */
+const BESIDE = 1;
+
+/** The coordinate that a number is, of several. */
+function axisOf(/** @type {number[]} */ outputs, /** @type {number} */ axis) {
+  return outputs.length === 2 ? ['.x', '.y'][axis] : '';
+}
+
+/** Fine strokes that tie the names of points to them, where they do not stand beside them: whoever reads the drawing need not guess. @param {Panel} panel */
+function leaders(panel) {
+  const all = makeInk('g', { class: 'leaders' });
+  for (const { spot, point, half: [wide, high] } of panel.labels) {
+    if (!spot || !point) continue;
+    const [from, to] = spot, way = minus(to, from), part = Math.min(wide / Math.abs(way.x), high / Math.abs(way.y));
+    if ((1 - part) * sizeOf(way) < BESIDE) continue;
+    all.append(makeInk('path', { class: 'leader', d: `M${pair(plus(from, way, part))} L${pair(to)}`, stroke: '#000000', 'stroke-width': '0.13' }));
+  }
+  return all;
+}
+
+/** One drawing, the panels below each other. @param {Page} page */
+function drawings(page) {
+  const all = makeInk('svg', { 'stroke-linejoin': 'round', 'font-family': page.panels[0].svg.getAttribute('font-family') || '' });
+  let down = 0, across = 0;
+  for (const panel of page.panels) {
+    const copy = /** @type {Element} */ (panel.svg.cloneNode(true));
+    copy.querySelectorAll('.grips, .reach, .beside, .way, .stop, [visibility=hidden]').forEach((own) => own.remove());
+    copy.querySelectorAll('[class=""]').forEach((own) => own.removeAttribute('class'));
+    const [x, y, width, height] = (copy.getAttribute('viewBox') || '').split(' ').map(Number);
+    const group = makeInk('g', { transform: `translate(${mm(-x)} ${mm(down - y)})` });
+    group.append(...copy.childNodes);
+    const own = group.querySelector('g');
+    group.append(leaders(panel));
+    if (own) having(own, { 'data-si-per-mm': String(panel.siPerMm), 'data-at': String(page.place()) });
+    all.append(group);
+    down += height;
+    across = Math.max(across, width);
+  }
+  having(all, { width: `${mm(across)}mm`, height: `${mm(down)}mm`, viewBox: `0 0 ${mm(across)} ${mm(down)}` });
+  return new XMLSerializer().serializeToString(all);
+}
+
+/** As `sweep` has it: a column for each number, its unit in the head, the position first; nothing where none is known. @param {Page} page */
+function csv(page) {
+  const { kind, of, unit } = page.variable;
+  const quoted = (/** @type {string} */ text) => `"${text.replace(/"/g, '""')}"`;
+  const head = [`${kind}${of ? ` ${of}` : ''} [${unit}]`], line = [String(page.place())];
+  for (const quantity of page.rows) {
+    quantity.outputs.forEach((/** @type {number} */ output, /** @type {number} */ axis) => {
+      head.push(`${quantity.name}${axisOf(quantity.outputs, axis)}${quantity.unit ? ` [${quantity.unit}]` : ''}`);
+      const value = page.outputs[output];
+      line.push(value === null ? '' : String(value / quantity.si));
+    });
+  }
+  return `${head.map(quoted).join(',')}\r\n${line.join(',')}\r\n`;
+}
+
+/** @param {Page} page */
+function givesAway(page) {
+  const field = page.says(make('textarea', { id: 'out', readonly: '', rows: '6' }), 'denied', 'aria-label');
+  field.hidden = true;
+
+  /** Where it is denied the text stands in a field. @param {string} text @param {() => void | Promise<void>} by */
+  async function give(text, by) {
+    field.hidden = true;
+    try {
+      await by();
+    } catch {
+      field.hidden = false;
+      field.value = text;
+      page.say(page.words.denied);
+      field.select();
+    }
+  }
+  const copy = (/** @type {string} */ text) => give(text, async () => {
+    await navigator.clipboard.writeText(text);
+    page.say(page.words.copied);
+  });
+  const save = (/** @type {string} */ text, /** @type {string} */ name, /** @type {string} */ kind) => give(text, () => download(text, name, kind));
+
+  return {
+    field,
+    buttons: [
+      page.button({ id: 'copy' }, 'copy', () => copy(drawings(page))),
+      page.button({ id: 'save' }, 'save', () => save(drawings(page), 'drawing.svg', 'image/svg+xml')),
+      page.button({ id: 'table' }, 'save_table', () => save(csv(page), 'values.csv', 'text/csv')),
+      page.button({ id: 'link' }, 'link_here', () => copy(`${location.href.split('#')[0]}#${page.address()}`)),
+      page.button({ id: 'print' }, 'print', () => window.print()),
+    ],
+  };
+}

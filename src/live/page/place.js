@@ -1,0 +1,73 @@
+// The place of the input: a slider with its marks, a field for the exact number, and what a screen reader says of it.
+
+/** The marks of the slider: events, the scene's own position, and hatched what cannot be assembled. @param {Page} page */
+function sliderMarks(page) {
+  const { course, variable, span } = page, [from, to] = variable.range;
+  const marks = make('div', { class: 'marks', 'aria-hidden': 'true', dir: 'ltr' });
+  const part = (/** @type {number} */ way) => `${(100 * way / span).toFixed(3)}%`;
+  const mark = (/** @type {number} */ at, /** @type {string} */ kind, end = at) => {
+    const one = make('i', { class: kind });
+    if (end > at) one.style.width = part(end - at);
+    one.style.left = part(at - from);
+    marks.append(one);
+  };
+  for (const { at, kind } of course.events) mark(at, kind.split(' ')[0]);
+  mark(variable.start, 'own');
+  let reached = from;
+  for (const stretch of [...course.stretches, { from: to, to }]) {
+    if (stretch.from > reached) mark(reached, 'gap', stretch.from);
+    reached = Math.max(reached, stretch.to);
+  }
+  return marks;
+}
+
+/** @param {Page} page @param {any} travel @param {() => string} pinnedText */
+function showsPlace(page, travel, pinnedText) {
+  const [from, to] = page.variable.range.map(String);
+  const slider = page.says(make('input', { type: 'range', id: 'at', step: 'any', min: from, max: to, dir: 'ltr' }), 'of_input', 'aria-label');
+  const field = make('input', { class: 'number', id: 'exact', inputmode: 'decimal', autocomplete: 'off', dir: 'ltr' });
+  const state = make('p', { id: 'state', class: 'unseen' });
+  // In print the position stands where on the screen the slider is.
+  const here = make('p', { id: 'here' });
+  byId('stage').before(here);
+  /** @type {any} */
+  let resting = 0;
+  let last = '';
+
+  on(slider, 'input', () => travel.wish(Number(slider.value)));
+  on(field, 'change', () => {
+    const text = field.value.trim(), value = typedInput(text, page.variable);
+    field.setAttribute('aria-invalid', String(!Number.isFinite(value)));
+    if (Number.isFinite(value)) travel.wish(page.home(value));
+    else if (text !== '') {
+      page.say(filled(page.words.not_a_number, { text, unit: page.unitSign() }));
+      return;
+    }
+    page.draw();
+    // Beyond a limit it goes no further, and the field says how far it went.
+    field.value = page.exact();
+  });
+
+  page.add({
+    show() {
+      const text = `${page.inUnit(page.at)}${pinnedText()}`, said = `${page.inputName()} = ${withUnit(page.exact(), page.unitSign())}`;
+      slider.value = String(page.at);
+      slider.setAttribute('aria-valuetext', text);
+      if (document.activeElement !== field) field.value = page.exact();
+      if (said !== last) setRich(here, said);
+      last = said;
+      if (page.playing) return;
+      // Half a second after rest, never while it plays.
+      clearTimeout(resting);
+      resting = setTimeout(() => {
+        setText(state, `${page.words.position}: ${text}`);
+        remember(page.address());
+      }, 500);
+    },
+  });
+  return {
+    slider: make('div', { id: 'slide' }, slider, sliderMarks(page)),
+    field: make('label', {}, page.says(make('span'), 'of_input'), field, make('bdi', {}, page.unitSign())),
+    state,
+  };
+}

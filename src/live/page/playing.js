@@ -1,0 +1,64 @@
+// Playing: the input at constant speed by the time that has gone, to and fro where the course has ends.
+
+/** @param {Page} page */
+function plays(page) {
+  const { track, span, variable, live, calm } = page;
+  const button = page.button({ id: 'play' }, '', play), pace = make('span', { dir: 'auto' });
+  const field = make('input', { type: 'number', min: '1', max: '120', value: String(live.seconds), class: 'number', dir: 'ltr' });
+  let way = 1, before = 0, sum = 0;
+
+  const seconds = () => Math.max(1, Number(field.value) || live.seconds);
+
+  function halt() {
+    if (!page.playing) return;
+    page.playing = false;
+    speak();
+  }
+
+  function play() {
+    if (page.playing) {
+      halt();
+      return;
+    }
+    page.playing = true;
+    before = 0;
+    sum = 0;
+    page.say('');
+    speak();
+    requestAnimationFrame(tick);
+  }
+
+  /** @param {number} now */
+  function tick(now) {
+    if (!page.playing) return;
+    if (before > 0) {
+      sum += way * Math.min(0.25, (now - before) / 1000) * span / seconds();
+      // With reduced motion it goes in steps.
+      const least = calm.matches ? (variable.kind === 'angle' ? Math.PI / 12 : span / 24) : 0;
+      if (Math.abs(sum) > least) {
+        const found = track.go(page.at, sum);
+        sum = 0;
+        page.at = found.at;
+        if (found.stopped) {
+          way = -way;
+          page.say(page.words.reached_limit);
+        }
+        page.draw();
+      }
+    }
+    before = now;
+    requestAnimationFrame(tick);
+  }
+
+  function speak() {
+    const { words, playing } = page, ratio = Math.abs(variable.rate) * seconds() / span;
+    setText(button, playing ? words.stop : words.play);
+    button.setAttribute('aria-pressed', String(playing));
+    const times = plainText(withPower(Number((ratio >= 1 ? ratio : 1 / ratio).toPrecision(3))));
+    setText(pace, ratio === 0 ? '' : filled(ratio >= 1 ? words.slower : words.faster, { times }));
+  }
+
+  on(field, 'change', speak);
+  page.add({ speak });
+  return { play, halt, button, pace: [make('label', {}, page.says(make('span'), 'seconds_a_turn'), field), pace] };
+}

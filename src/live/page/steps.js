@@ -1,0 +1,155 @@
+// The steps: what is drawn in each, its sentences and equations with the numbers of the position.
+
+// A number of a text is `[form, output, SI units of its unit, figures more than usual, panel]`.
+const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9;
+
+/** The figures with which steps tell the numbers that begin with an output: of what is read those of its reading. */
+function figuresOf(/** @type {any[]} */ steps) {
+  const figures = new Map();
+  for (const text of steps.flatMap((said) => [...said.sentences, ...said.equations.flat(2)])) {
+    const numbers = Array.isArray(text) ? text.filter((piece) => typeof piece !== 'string') : [];
+    for (const [form, output, si, more, panel] of numbers) {
+      const known = figures.get(output);
+      if (form === READ) figures.set(output, { si, more, panel });
+      // A line may need more of a number than the others tell.
+      else if (form <= LENGTH && known?.panel === undefined && !(known?.more <= more)) figures.set(output, { si, more });
+    }
+  }
+  return figures;
+}
+
+/** @param {Page} page */
+function readings(page) {
+  /** What is read by the scale. */
+  let amount = '';
+
+  function numberHere(/** @type {any} */ [form, output, si, more, panel]) {
+    const { course, outputs, panels } = page, one = outputs[output];
+    if (form === INPUT) return stated(page.at / si);
+    if (form === AMOUNT) return amount;
+    if (form === FACTOR) return stated(panels[output].siPerMm / si);
+    const isVector = [LENGTH, ON_PAPER, DIRECTION, READ].includes(form);
+    if (one === null || (isVector && outputs[output + 1] === null)) return null;
+    if (form === SENSE) return one === 0 ? '' : page.text.senses[one > 0 ? 0 : 1];
+    if (!isVector) {
+      const value = clearNumber(course, outputs, output);
+      return form === SIGNED ? withPower(value / si, more) : amountText(page, output, Math.abs(value), si, more);
+    }
+    const [size, angle] = clearVector(course, outputs, output);
+    if (form === DIRECTION) return degrees(angle);
+    if (form === LENGTH) return amountText(page, output, size, si, more);
+    // The paper is that of the scale in force.
+    const { siPerMm } = panels[panel];
+    // What is a point on paper is not read off it, nor laid off.
+    if (isPoint(size / siPerMm)) return null;
+    if (form === ON_PAPER) return fixed(size / siPerMm, more);
+    const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, more);
+    amount = by;
+    return read;
+  }
+
+  /** A text with the numbers of this position; nothing where it is said of the scene's own only. */
+  return (/** @type {any} */ text) => {
+    if (typeof text === 'string') return text;
+    if (!Array.isArray(text)) return page.isOwn ? text.own : null;
+    const pieces = text.map((piece) => (typeof piece === 'string' ? piece : numberHere(piece)));
+    return pieces.includes(null) ? null : pieces.join('');
+  };
+}
+
+/** @param {Page} page @param {any} light */
+function showsSteps(page, light) {
+  const { live, panels, last } = page, textHere = readings(page);
+  const slider = page.says(make('input', { type: 'range', id: 'step', min: '0', max: String(last + 1), step: '1', dir: 'ltr' }), 'step', 'aria-label');
+  const title = make('h3'), note = make('p');
+  const body = page.says(make('div', { class: 'scroll', tabindex: '0', role: 'region' }), 'steps', 'aria-label');
+  const box = make('section', {}, page.says(make('h2'), 'steps'), make('div', { class: 'row' },
+    page.button({ id: 'back' }, 'back', () => to(page.step - 1)), make('div', { id: 'slide2' }, slider),
+    page.button({ id: 'on' }, 'on', () => to(page.step + 1))), title, body, note);
+  on(slider, 'input', () => to(Number(slider.value)));
+  /** Quantities of the step. @type {{quantity: any, value: Element, sense: Element}[]} */
+  let values = [];
+  /** Texts with numbers of the position. @type {{element: Element, text: any, last: string}[]} */
+  let texts = [];
+
+  /** @param {number} step */
+  function to(step) {
+    page.step = Math.max(0, Math.min(last + 1, step));
+    speak();
+    page.draw();
+  }
+
+  const linked = (/** @type {any} */ element, /** @type {string} */ name) => {
+    element.dataset.quantity = name;
+    light.listen(element, name);
+    return element;
+  };
+  const living = (/** @type {any} */ element, /** @type {any} */ text) => {
+    texts.push({ element, text, last: '' });
+    return element;
+  };
+
+  /** A vector equation with what is known of its terms. @param {any[][]} equation */
+  function equationTable(equation) {
+    const names = equation[0].map((cell) => page.named.get(cell));
+    const cellOf = (/** @type {any} */ text, /** @type {number} */ i) => {
+      const cell = living(make('td'), text);
+      if (!names[i]) return cell;
+      on(cell, 'click', () => light.pin(names[i]));
+      return linked(cell, names[i]);
+    };
+    return make('table', {}, ...equation.map((cells) => make('tr', {}, ...cells.map(cellOf))));
+  }
+
+  /** The quantities that the step draws, with their values here. @param {string[]} names */
+  function valueTable(names) {
+    return make('table', {}, ...names.map((name) => {
+      const named = make('th', { scope: 'row' }), value = make('bdi'), sense = make('bdi');
+      setRich(named, page.symbolOf(name));
+      values.push({ quantity: live.quantities[name], value, sense });
+      return linked(make('tr', {}, named, make('td', {}, value), make('td', {}, sense)), name);
+    }));
+  }
+
+  /** What is said of the present step, with the quantities that it draws. */
+  function speak() {
+    const { words, step } = page;
+    const said = step > last ? null : page.text.steps.find((/** @type {any} */ one) => one.step >= step);
+    const head = said ? said.head : words.all_steps;
+    values = [];
+    texts = [];
+    slider.value = String(step);
+    slider.setAttribute('aria-valuetext', plainText(head));
+    setRich(title, head);
+    box.classList.toggle('idle', !said);
+    body.replaceChildren();
+    if (said) {
+      const drawn = panels.flatMap((panel) => panel.ink.filter((ink) => ink.step === step && live.quantities[ink.quantity]).map((ink) => ink.quantity));
+      body.append(...said.equations.map(equationTable));
+      if (drawn.length > 0) body.append(make('p', {}, `${words.values}, ${words.here}`), valueTable([...new Set(drawn)]));
+      body.append(make('ol', { class: 'said' }, ...said.sentences.map((/** @type {any} */ text) => living(make('li'), text))));
+    }
+    show();
+    light.light();
+  }
+
+  function show() {
+    const { words } = page;
+    let left = 0;
+    for (const one of texts) {
+      const said = textHere(one.text), now = said === null ? '…' : said;
+      if (said === null) left += 1;
+      if (now !== one.last || now === '') setRich(one.element, now);
+      one.last = now;
+    }
+    setText(note, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
+    for (const { quantity, value, sense } of values) {
+      const said = told(quantity, page);
+      setRich(value, said.value);
+      setRich(sense, said.sense);
+    }
+  }
+
+  page.add({ show, speak });
+  return { box, to };
+}

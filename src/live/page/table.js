@@ -1,0 +1,46 @@
+// The table of values.
+
+/** @param {Page} page @param {any} light */
+function showsValues(page, light) {
+  const cells = ['quantity', 'value', 'sense'].map((word) => page.says(make('th', { scope: 'col' }), word));
+  const caption = make('caption', { class: 'unseen' }), body = make('tbody');
+  const scroll = make('div', { class: 'scroll', tabindex: '0', role: 'region' },
+    make('table', { id: 'values' }, caption, make('thead', {}, make('tr', {}, ...cells)), body));
+  const rows = page.rows.map((/** @type {any} */ quantity) => {
+    const name = make('button', { type: 'button', 'aria-pressed': 'false' }), value = make('bdi'), sense = make('bdi');
+    const row = make('tr', { 'data-quantity': quantity.name }, ...[name, value, sense].map((one) => make('td', {}, one)));
+    body.append(row);
+    light.listen(row, quantity.name);
+    on(name, 'click', () => light.pin(quantity.name));
+    return { quantity, name, value, sense, last: '' };
+  });
+
+  page.add({
+    show() {
+      for (const row of rows) {
+        const said = told(row.quantity, page);
+        const key = `${said.value}|${said.sense}`;
+        if (key === row.last) continue;
+        row.last = key;
+        setRich(row.value, said.value);
+        setRich(row.sense, said.sense);
+      }
+    },
+    speak() {
+      setText(caption, `${page.words.values}, ${page.words.here}`);
+      for (const { name, quantity } of rows) setRich(name, page.symbolOf(quantity.name));
+    },
+  });
+  return {
+    box: make('section', {}, page.says(make('h2'), 'values'), page.says(scroll, 'values', 'aria-label')),
+    /** Which names are pressed. @param {string | null} pinned */
+    press(pinned) {
+      for (const row of rows) row.name.setAttribute('aria-pressed', String(pinned === row.quantity.name));
+    },
+    /** A row in words; nothing where there is none. @param {string | null} name */
+    textOf(name) {
+      const row = rows.find((/** @type {any} */ one) => one.quantity.name === name);
+      return row ? `; ${[row.name, '=', row.value, row.sense].map((one) => one.textContent || one).join(' ')}` : '';
+    },
+  };
+}

@@ -1,0 +1,342 @@
+//! How each number is printed on a sheet, and what its lines need to close from their own printed numbers.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use super::human;
+use super::notation::Notation;
+use super::rich::Rich;
+use crate::graphical::construction::Spot;
+use crate::mechanism::force::{Action, Force};
+use crate::mechanism::quantity::{DiagramKind, Quantity, Unit};
+use crate::mechanism::{Input, LinkId, PointId};
+
+/// What a number is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Key {
+    /// The magnitude of a quantity.
+    Of(Quantity),
+    /// Of a point of a link against another point of it: its quantity names the first only.
+    From(Quantity, PointId),
+    /// The distance of two points on the skeleton, the first of lower number.
+    Length([PointId; 2]),
+    /// The velocity of the common centre of two links.
+    AtCentre([LinkId; 2]),
+    /// The distance of a point or centre from a pole.
+    Radius([LinkId; 2], Spot),
+    /// The part of a force along the line of a link, or across it.
+    Part(Action, Across),
+    /// An arm of a force by its number on the sheet.
+    Arm(usize),
+    /// What a letter says of a link: its mass, weight, moment of inertia.
+    OfLink(&'static str, LinkId),
+    /// What a letter says of the whole: the period, the speed of a diagram without links.
+    Given(&'static str),
+    /// The area on which the pressure of a load acts, by the load's index.
+    Area(usize),
+}
+
+/// Whether a part of a force is that across the line of a link.
+pub type Across = bool;
+
+impl Key {
+    pub(super) fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
+        Self::Of(absolute(quantity, notation))
+    }
+
+    /// The same of a vector that begins at the image of a point.
+    pub(super) fn from(quantity: Quantity, reference: Option<PointId>, notation: &Notation<'_>) -> Self {
+        let names_one = matches!(
+            quantity,
+            Quantity::CoincidentVelocity(..)
+                | Quantity::CoincidentAcceleration(..)
+                | Quantity::CoincidentNormal(..)
+                | Quantity::CoincidentTangential(..)
+        );
+        match reference.filter(|point| names_one && !notation.mechanism().is_fixed(*point)) {
+            Some(point) => Self::From(quantity, point),
+            None => Self::of(quantity, notation),
+        }
+    }
+
+    pub(super) fn length([p, q]: [PointId; 2]) -> Self {
+        Self::Length([p.min(q), p.max(q)])
+    }
+}
+
+/// How each number is printed in the steps, wherever it stands there: as it was told first.
+#[derive(Debug, Clone, Default)]
+pub struct Figures {
+    printed: HashMap<Key, Print>,
+    /// What has so many figures more than usual, because a line that uses it needs them.
+    finer: HashMap<Key, usize>,
+    /// What lines would have needed so many for.
+    wanted: HashMap<Key, usize>,
+    /// What was read off polygons, mm.
+    readings: Vec<(DiagramKind, f64, Key)>,
+    /// The same two of constructions on the skeleton, each by its number on the sheet.
+    finer_apart: HashMap<(Apart, Key), usize>,
+    wanted_apart: HashMap<(Apart, Key), usize>,
+}
+
+/// A construction on the skeleton that has readings of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Apart {
+    /// A velocity carried over by instant centres, by the number of its method on the sheet.
+    Transfer(usize),
+    /// Another construction by its title's number on the sheet.
+    Auxiliary(usize),
+}
+
+/// A number as it is printed.
+#[derive(Debug, Clone)]
+pub(super) struct Print {
+    pub(super) text: Rich,
+    /// The number that stands there.
+    number: f64,
+    /// The number that it stands for, in the same unit.
+    exact: f64,
+    pub(super) unit: Unit,
+}
+
+/// No number has so many figures more than usual that another does not close without.
+const MOST_MORE: usize = 2;
+
+impl Figures {
+    /// Begins again with what was wanted.
+    pub(super) fn again(&self) -> Self {
+        fn with<K: Copy + Eq + Hash>(
+            finer: &HashMap<K, usize>,
+            wanted: &HashMap<K, usize>,
+        ) -> HashMap<K, usize> {
+            let mut all = finer.clone();
+            for (key, more) in wanted {
+                let own = all.entry(*key).or_insert(0);
+                *own = (*own).max(*more);
+            }
+            all
+        }
+        let finer = with(&self.finer, &self.wanted);
+        Self { finer, finer_apart: with(&self.finer_apart, &self.wanted_apart), ..Self::default() }
+    }
+
+    /// How the rates of the inputs are printed, and nothing else: what a construction of its own begins with.
+    pub(super) fn of_inputs(&self, apart: Apart, notation: &Notation<'_>) -> Self {
+        let printed = self.printed.iter().filter(|(key, _)| is_driven(**key, notation));
+        let of_inputs = self.finer.iter().filter(|(key, _)| is_driven(**key, notation));
+        let own = self.finer_apart.iter().filter(|((of, _), _)| *of == apart);
+        let finer =
+            of_inputs.map(|(key, more)| (*key, *more)).chain(own.map(|((_, key), more)| (*key, *more)));
+        Self {
+            printed: printed.map(|(key, print)| (*key, print.clone())).collect(),
+            finer: finer.collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Keeps of what a construction on the skeleton would have needed more figures.
+    pub(super) fn keep_apart(&mut self, apart: Apart, own: &Self, notation: &Notation<'_>) {
+        for (key, more) in &own.wanted {
+            let wanted = if is_driven(*key, notation) {
+                self.wanted.entry(*key).or_insert(0)
+            } else {
+                self.wanted_apart.entry((apart, *key)).or_insert(0)
+            };
+            *wanted = (*wanted).max(*more);
+        }
+    }
+
+    /// Whether everything has the figures that lines need of it.
+    pub(super) fn suffice(&self) -> bool {
+        let apart =
+            |(key, more): (&(Apart, Key), &usize)| self.finer_apart.get(key).is_some_and(|own| own >= more);
+        self.wanted.iter().all(|(key, more)| self.more(*key) >= *more) && self.wanted_apart.iter().all(apart)
+    }
+
+    /// How many figures more than usual a number has.
+    pub(super) fn more(&self, key: Key) -> usize {
+        self.finer.get(&key).copied().unwrap_or(0)
+    }
+
+    pub(super) fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
+        let print = Print { text: text.clone(), number, exact, unit: unit.clone() };
+        self.printed.entry(key).or_insert(print);
+    }
+
+    /// A magnitude as it is printed in this unit; of what was not told yet as it is told from now on.
+    pub(super) fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
+        self.number(key, si, unit).0
+    }
+
+    /// The same with the number that stands there.
+    fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
+        if let Some(print) = self.printed.get(&key).filter(|print| print.unit == *unit) {
+            return (print.text.clone(), print.number);
+        }
+        // In a unit of which the other is so many tens it has the same figures.
+        if let Some(print) = self.printed.get(&key) {
+            let ratio = print.unit.si / unit.si;
+            let tens = libm::log10(ratio);
+            if (tens - libm::round(tens)).abs() < 1e-9 {
+                return human::shifted(print.number, libm::round(tens) as i32);
+            }
+        }
+        let (text, number) = human::given(si.abs() / unit.si, self.more(key));
+        self.note(key, &text, (number, si.abs() / unit.si), unit);
+        (text, number)
+    }
+
+    /// How many figures more than usual a reading has: lengths that are one on paper are read alike, whatever they are of.
+    pub(super) fn more_of_reading(&mut self, key: Key, kind: DiagramKind, mm: f64) -> usize {
+        let same = |(of, own, _): &&(DiagramKind, f64, Key)| *of == kind && (own - mm).abs() <= 1e-9 * mm;
+        let Some((.., first)) = self.readings.iter().find(same).copied() else {
+            self.readings.push((kind, mm, key));
+            return self.more(key);
+        };
+        let more = self.more(key).max(self.more(first));
+        for own in [key, first] {
+            let wanted = self.wanted.entry(own).or_insert(0);
+            *wanted = (*wanted).max(more);
+        }
+        more
+    }
+
+    /// A magnitude that stands there already under whatever name.
+    pub(super) fn same(&self, si: f64, unit: &Unit) -> Option<Rich> {
+        let own = si.abs() / unit.si;
+        let alike = |print: &&Print| print.unit == *unit && (print.exact - own).abs() <= 1e-9 * own;
+        let all = self.printed.values().filter(alike);
+        all.min_by(|a, b| a.number.total_cmp(&b.number)).map(|print| print.text.clone())
+    }
+
+    /// Asks for one more figure of a number.
+    pub(super) fn want(&mut self, key: Key) {
+        let more = (self.more(key) + 1).min(MOST_MORE);
+        let own = self.wanted.entry(key).or_insert(0);
+        *own = (*own).max(more);
+    }
+
+    /// A number that is another one, too: it stands there as that does.
+    pub(super) fn alias(&mut self, key: Key, of: Key) {
+        if let Some(more) = self.finer.get(&key).copied() {
+            let own = self.wanted.entry(of).or_insert(0);
+            *own = (*own).max(more);
+        }
+        if let (Some(print), false) = (self.printed.get(&of).cloned(), self.printed.contains_key(&key)) {
+            self.printed.insert(key, print);
+        }
+    }
+
+    /// A number as it is printed.
+    pub(super) fn print_of(&self, key: Key) -> Option<&Print> {
+        self.printed.get(&key)
+    }
+
+    /// Whether a number is printed already.
+    pub(super) fn has(&self, key: Key) -> bool {
+        self.printed.contains_key(&key)
+    }
+
+    /// The factors of a line as they are printed, and its result: that of the printed factors.
+    pub(super) fn line<const N: usize>(
+        &mut self,
+        factors: [(Key, f64, &Unit); N],
+        (key, si, unit): (Key, f64, &Unit),
+        reckon: impl Fn([f64; N]) -> f64,
+    ) -> ([Rich; N], Rich) {
+        let factors = factors.map(|(key, si, unit)| (Some(key), si, unit));
+        let reckon = |numbers: &[f64]| reckon(std::array::from_fn(|i| numbers[i]));
+        let (numbers, text, _) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
+        (std::array::from_fn(|i| numbers[i].clone()), text)
+    }
+
+    /// The same of as many factors as there are; what has no key stands in no other line. A result that the factors do not
+    /// give in the figures of a sheet, a small difference, is given by as many figures as it takes. Last the number that
+    /// stands there for the result.
+    pub(super) fn line_of(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        result: (Option<Key>, f64, &Unit),
+        reckon: impl Fn(&[f64]) -> f64,
+    ) -> (Vec<Rich>, Rich, f64) {
+        /// By so much of a result what is reckoned from printed numbers may differ from it: half of the third figure.
+        const FAR: f64 = 5e-3;
+        self.reckoned(factors, result, reckon, FAR)
+    }
+
+    fn reckoned(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        (key, si, unit): (Option<Key>, f64, &Unit),
+        reckon: impl Fn(&[f64]) -> f64,
+        far: f64,
+    ) -> (Vec<Rich>, Rich, f64) {
+        let tell = |(key, si, unit): &(Option<Key>, f64, &Unit)| match key {
+            Some(key) => self.number(*key, *si, unit),
+            None => human::given(si.abs() / unit.si, 0),
+        };
+        let told: Vec<(Rich, f64)> = factors.iter().map(tell).collect();
+        let printed: Vec<f64> = told.iter().map(|(_, number)| *number).collect();
+        let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
+        let reckoned = reckon(&printed);
+        let exact = si / unit.si;
+        let more = key.map_or(0, |key| self.more(key));
+        let (mut text, mut number) = human::limited(exact, more);
+        if !human::agrees(reckoned, number, exact, more) {
+            // What was read is no nearer to the truth for its figures.
+            let rounded = factors.iter().zip(&printed).all(|((key, si, unit), number)| {
+                let (exact, more) = (si.abs() / unit.si, key.map_or(0, |key| self.more(key)));
+                human::agrees(exact, *number, exact, more)
+            });
+            let most = if rounded { MOST_MORE } else { 1 };
+            for key in factors.iter().filter_map(|(key, ..)| *key) {
+                let more = (self.more(key) + 1).min(most);
+                let own = self.wanted.entry(key).or_insert(0);
+                *own = (*own).max(more);
+            }
+            if (reckoned - exact).abs() <= far * exact.abs() {
+                (text, number) = human::limited(reckoned, more);
+            } else {
+                let values: Vec<f64> = factors.iter().map(|(_, si, unit)| si.abs() / unit.si).collect();
+                numbers = human::closing_all(&values, exact, &reckon);
+            }
+        }
+        if let Some(key) = key {
+            self.note(key, &text, (number.abs(), exact.abs()), unit);
+        }
+        (numbers, text, number)
+    }
+}
+
+/// Whether a number is the rate of a driven link.
+fn is_driven(key: Key, notation: &Notation<'_>) -> bool {
+    let Key::Of(Quantity::Omega(own) | Quantity::Alpha(own)) = key else { return false };
+    notation.mechanism().inputs.iter().any(|input| match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => *link == own,
+        Input::Slide { .. } => false,
+    })
+}
+
+/// Relative to a fixed point is not relative.
+pub(super) fn absolute(quantity: Quantity, notation: &Notation<'_>) -> Quantity {
+    match quantity {
+        Quantity::RelativeVelocity(p, q) if notation.mechanism().is_fixed(q) => Quantity::Velocity(p),
+        Quantity::RelativeAcceleration(p, q) if notation.mechanism().is_fixed(q) => Quantity::Acceleration(p),
+        Quantity::RelativeNormal(p, q) if notation.mechanism().is_fixed(q) => Quantity::Normal(p),
+        Quantity::RelativeTangential(p, q) if notation.mechanism().is_fixed(q) => Quantity::Tangential(p),
+        Quantity::Slip(p, LinkId::FRAME) => Quantity::Velocity(p),
+        Quantity::Force(Force::Vector(action), share) => {
+            Quantity::Force(Force::Vector(either(action)), share)
+        }
+        other => other,
+    }
+}
+
+/// Action and reaction are one number.
+pub(super) fn either(action: Action) -> Action {
+    match action {
+        Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
+        Action::OnPin(link, pin) => Action::OfPin(pin, link),
+        other => other,
+    }
+}

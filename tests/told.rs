@@ -1,0 +1,265 @@
+//! What a sheet tells, in which order: a table takes as known what was told before it, each asked quantity has a line that
+//! derives it, a line uses what an earlier one gave, and one quantity has one printed value. Read off the ink of the sheets.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+use crate::common;
+use crate::legibility::{all, characters, data, has, number, sentences, within};
+
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+
+use linkgram::plan::Extent;
+use linkgram::sheet::figure::{Group, Node, Text};
+use linkgram::sheet::{self, Figure, Language};
+
+fn texts(group: &Group) -> impl Iterator<Item = &Text> {
+    group.children.iter().filter_map(|node| match node {
+        Node::Text(text) => Some(text),
+        _ => None,
+    })
+}
+
+/// The cells of a table, row by row: where each begins and ends, and what stands there.
+fn rows(table: &Group) -> Vec<Vec<([f64; 2], String)>> {
+    let mut rows: BTreeMap<i64, Vec<([f64; 2], String)>> = BTreeMap::new();
+    for text in texts(table) {
+        let Some(first) = text.runs.first() else { continue };
+        let base = text.runs.iter().filter(|run| run.size >= 0.9 * first.size).map(|run| run.at.y);
+        let y = base.fold(first.at.y, f64::max);
+        let from = text.runs.iter().map(|run| run.at.x).fold(f64::INFINITY, f64::min);
+        let to = text.runs.iter().map(|run| run.at.x + 0.5 * run.size * run.text.chars().count() as f64);
+        let to = to.fold(from, f64::max);
+        rows.entry((y * 4.0).round() as i64).or_default().push(([from, to], characters(text)));
+    }
+    rows.into_values().collect()
+}
+
+/// The terms of a table of an equation: the symbol, and what stands under it as its magnitude; and the unit.
+fn terms(table: &Group) -> (String, Vec<(String, String)>) {
+    let rows = rows(table);
+    let Some([head, magnitudes]) = rows.first_chunk::<2>() else { return Default::default() };
+    let unit = magnitudes.iter().find_map(|(_, text)| text.split_once(", ").map(|(_, unit)| unit.to_owned()));
+    let is_near = |a: &[f64; 2], b: &[f64; 2]| (a[0] + a[1] - b[0] - b[1]).abs() / 2.0 < 4.0;
+    let under = |(place, symbol): &([f64; 2], String)| {
+        let own = magnitudes.iter().find(|(at, text)| is_near(at, place) && number(text).is_some())?;
+        Some((symbol.clone(), own.1.clone()))
+    };
+    (unit.unwrap_or_default(), head.iter().filter_map(under).collect())
+}
+
+/// Sheets with pairs and forces of every kind besides those whose looks are judged.
+fn sheets() -> Vec<(String, Figure)> {
+    let folder = common::root().join("examples");
+    let more = ["forces", "exam"].iter().flat_map(|name| std::fs::read_dir(folder.join(name)).unwrap());
+    let more = more.map(|entry| entry.unwrap().path());
+    let more = more.filter(|path| path.extension().is_some_and(|ending| ending == "json"));
+    let mut all = all();
+    for path in more {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let Ok(scene) = linkgram::scene::read(&text, &name) else { continue };
+        let Ok(solved) = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
+        else {
+            continue;
+        };
+        all.push((name, sheet::solution(&scene, &solved.solution.construction, Language::English)));
+    }
+    all
+}
+
+/// The symbol of a velocity or an acceleration of a point, or of a rate of a link.
+fn is_symbol(text: &str) -> bool {
+    let mut all = text.chars();
+    let is_rate = match all.next() {
+        Some('V' | 'A') => false,
+        Some('ω' | 'α' | 'ε') => true,
+        _ => return false,
+    };
+    let index = all.as_str().split_once('_').map(|(_, index)| index).and_then(|index| index.chars().next());
+    let marked = all.as_str().starts_with(['_', '^']);
+    let indexed = index.is_some_and(|first| if is_rate { first.is_numeric() } else { first.is_uppercase() });
+    marked && indexed && !text.contains([' ', '\u{a0}', ',', '×', '·', '/'])
+}
+
+/// A token of a formula as a symbol of the motion: without brackets and squares.
+fn symbol(token: &str) -> Option<String> {
+    let token = token.trim_matches(['(', ')', '|', '.', ',', ';', ':']).replace("^2", "").replace('²', "");
+    is_symbol(&token).then_some(token)
+}
+
+#[test]
+fn no_checked_vector_stands_beside_a_value_that_is_not_its_own() {
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for (name, figure) in sheets() {
+        let groups = within(&figure.root);
+        let names = groups.iter().filter(|group| has(group, "name"));
+        let names: Vec<(&str, String)> = names
+            .flat_map(|group| {
+                let text: String = texts(group).map(characters).collect();
+                data(group, "of").unwrap_or_default().split(' ').map(move |of| (of, text.clone()))
+            })
+            .collect();
+        let vectors: Vec<(&str, &str, f64)> = groups
+            .iter()
+            .filter(|group| has(group, "vector"))
+            .filter_map(|group| {
+                Some((data(group, "quantity")?, data(group, "from")?, data(group, "value")?.parse().ok()?))
+            })
+            .collect();
+        for table in groups.iter().filter(|group| has(group, "terms")) {
+            for (symbol, printed) in terms(table).1 {
+                let of: HashSet<&str> =
+                    names.iter().filter(|(_, text)| *text == symbol).map(|(of, _)| *of).collect();
+                // A point under a pin bears one name against the frame and against a point of its link: in a table it
+                // stands for the first.
+                let whole = |quantity: &str, from: &str| !quantity.contains('@') || from.starts_with('o');
+                // One that names that point too, V_A4A, is what stands against it.
+                let letters = symbol.trim_end_matches(char::is_alphabetic);
+                let against =
+                    letters.len() < symbol.len() && letters.ends_with(|last: char| last.is_ascii_digit());
+                let own = vectors.iter().filter(|(quantity, ..)| of.contains(quantity));
+                let parted = |quantity: &str| ["an(", "at("].iter().any(|part| quantity.starts_with(part));
+                let own: Vec<f64> = own
+                    .filter(|(quantity, from, _)| parted(quantity) || whole(quantity, from) != against)
+                    .map(|(.., value)| *value)
+                    .collect();
+                let Some((printed, ..)) = number(&printed).filter(|_| !own.is_empty()) else { continue };
+                compared += 1;
+                // Readings that are carried on are off by less.
+                if !own.iter().any(|value| (value - printed).abs() <= 0.01 * value.max(printed)) {
+                    wrong.push(format!("{name}: {symbol} {printed}, drawn {own:?}"));
+                }
+            }
+        }
+    }
+    println!("{compared} terms");
+    assert!(compared > 150, "{compared}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn each_asked_quantity_has_a_line_that_derives_it() {
+    let (mut asked, mut missing) = (0, Vec::new());
+    for (name, figure) in sheets() {
+        let told: Vec<String> = sentences(&figure);
+        let groups = within(&figure.root);
+        let results = groups.iter().filter(|group| has(group, "results"));
+        let symbols: BTreeSet<String> =
+            results.flat_map(|group| texts(group).map(characters)).filter(|text| is_symbol(text)).collect();
+        for symbol in symbols {
+            asked += 1;
+            // Against a pivot of the frame a point has no velocity but its own.
+            let pivot = symbol.rsplit_once('O').filter(|(_, number)| number.chars().all(char::is_numeric));
+            let own = pivot.map_or(symbol.as_str(), |(own, _)| own);
+            let names = |line: &str, own: &str| {
+                line.match_indices(own).any(|(at, _)| {
+                    let after = line[at + own.len()..].chars().next();
+                    after.is_none_or(|next| !next.is_alphanumeric() && next != '_' && next != '^')
+                })
+            };
+            let derives = |line: &String| names(line, own) || names(line, &symbol);
+            if !told.iter().any(derives) {
+                missing.push(format!("{name}: {symbol}"));
+            }
+        }
+    }
+    println!("{asked} asked");
+    assert!(asked > 400, "{asked}");
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
+fn what_a_line_uses_was_told_before_it() {
+    let (mut used, mut early) = (0, Vec::new());
+    for (name, figure) in sheets() {
+        let mut known: HashSet<String> = HashSet::from(["ω_1".to_owned()]);
+        let given = within(&figure.root).into_iter().flat_map(texts).filter(|text| text.class == "given");
+        let given: String = given.map(|text| characters(text) + " ").collect();
+        let lines = std::iter::once(given).chain(sentences(&figure));
+        for line in lines {
+            let line = line.replace('\u{a0}', " ");
+            let parts: Vec<&str> = line.split('=').collect();
+            for part in &parts[1..] {
+                let formula = [" · ", " / ", "−", "+", "|", "^2"].iter().any(|sign| part.contains(sign));
+                if !formula || number(part).is_some() || part.contains(',') {
+                    continue;
+                }
+                for symbol in part.split([' ', '|', '(', ')']).filter_map(symbol) {
+                    used += 1;
+                    if !known.contains(&symbol) {
+                        early.push(format!("{name}: {symbol} in {line}"));
+                        known.insert(symbol);
+                    }
+                }
+            }
+            let ends = parts.iter().take(parts.len() - 1);
+            known.extend(ends.filter_map(|part| symbol(part.split_whitespace().last()?)));
+            known.extend(line.split_whitespace().next().and_then(symbol));
+        }
+    }
+    println!("{used} uses");
+    assert!(used > 500, "{used}");
+    assert!(early.is_empty(), "{early:#?}");
+}
+
+#[test]
+fn one_quantity_has_one_printed_value() {
+    let (mut values, mut many) = (0, Vec::new());
+    for (name, figure) in sheets() {
+        let mut printed: BTreeMap<(String, String), Vec<(f64, String)>> = BTreeMap::new();
+        let mut note = |symbol: &str, text: &str, unit: Option<&str>| {
+            let Some((value, _, rest)) = number(text) else { return };
+            let unit =
+                unit.map_or_else(|| rest.split([' ', '\u{a0}', ',', ';', '.']).find(|s| !s.is_empty()), Some);
+            let Some(unit) = unit else { return };
+            let all = printed.entry((symbol.to_owned(), unit.to_owned())).or_default();
+            if all.iter().all(|(other, _)| (other - value).abs() > 1e-9 * value.abs()) {
+                all.push((value, text.to_owned()));
+            }
+        };
+        for table in within(&figure.root).into_iter().filter(|group| has(group, "terms")) {
+            let (unit, terms) = terms(table);
+            terms.iter().for_each(|(symbol, text)| note(symbol, text, Some(&unit)));
+        }
+        // Klein's construction has readings of its own.
+        for line in sentences(&figure).iter().take_while(|line| !line.contains("Klein")) {
+            let parts: Vec<&str> = line.split('=').collect();
+            let [first, .., last] = parts.as_slice() else { continue };
+            let symbol = first.trim().trim_start_matches("Read ").trim();
+            let is_force = symbol.starts_with(['P', 'F', 'h']) && !symbol.contains([' ', '\u{a0}']);
+            if is_symbol(symbol) || is_force {
+                note(symbol, last, None);
+            }
+        }
+        values += printed.len();
+        for ((symbol, unit), all) in printed.iter().filter(|(_, all)| all.len() > 1) {
+            many.push(format!("{name}: {symbol} in {unit}: {all:?}"));
+        }
+    }
+    println!("{values} values");
+    assert!(values > 800, "{values}");
+    assert!(many.is_empty(), "{many:#?}");
+}
+
+/// A block is driven along the guide of a link that turns: what is given is its velocity against that link.
+#[test]
+fn a_driven_slide_on_a_moving_link_is_given_against_it() {
+    let text = r#"{
+        "title": "Hydraulic cylinder", "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [600, -100] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 700 }, "3": { "joins": ["O4", "K"], "length": 500 }
+        },
+        "slides": [{ "pin": "A", "block": 4, "on": { "link": 3, "through": "O4", "toward": "K" } }],
+        "near": { "A": [500, 480] },
+        "input": { "slide": "A", "at": 580, "velocity": "60 mm/s" },
+        "find": ["omega(2)", "omega(3)", "v(A)"]
+    }"#;
+    let scene = linkgram::scene::read(text, "cylinder.json");
+    let scene = scene.unwrap_or_else(|error| panic!("{error:?}"));
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+    let given = within(&figure.root).into_iter().flat_map(texts).filter(|text| text.class == "given");
+    let given: String = given.map(|text| characters(text) + " ").collect();
+    assert!(given.replace('\u{a0}', " ").contains("V_A2A3 = 60"), "{given}");
+}
