@@ -30,6 +30,8 @@ struct Slot {
     partials: [f64; MOST_OPERANDS],
     /// What this operation adds to the error: its rounding, and what the tangent leaves out of it.
     own: f64,
+    /// How much of it the tangent leaves out.
+    left_out: f64,
     /// The error is no larger; without the correlations often much smaller.
     error: f64,
     /// How far the point of which it is a coordinate lies from the origin, where it is one that was drawn.
@@ -87,6 +89,8 @@ pub(super) struct Bounds {
     lanes: Vec<[f64; LANES]>,
     /// Rough errors of a long tape.
     sketches: Sketches,
+    /// A result has asked for every sweep that is worth it.
+    is_thorough: bool,
     /// The slots that a local sweep has still to look at, a bit each.
     waiting: Vec<u64>,
 }
@@ -116,6 +120,10 @@ const SWEEPS: [Sweep; 4] = [
 /// From so many operations on the errors of operands are sketched before a sweep goes back for them: the sweeps of a
 /// longer tape would cost more with each operation.
 const LONG: usize = 4096;
+
+/// What the tangents leave out of a long tape is looked at more closely when it is more than this part of the error of a
+/// result. Most of it concerns what is zero but for its roundings, and never arrives anywhere.
+const OF_LEFT_OUT: f64 = 1.0 / 4.0;
 
 /// Errors that are no more than this part of a point's distance from the origin are fine: nothing that follows from
 /// such errors is drawn in because of them.
@@ -173,6 +181,17 @@ impl Tape {
     /// [`Tape::bound`] and [`Tape::weakness`] of many results: eight of them cost little more than one.
     pub fn judged(&mut self, marks: &[u32]) -> Vec<Judged> {
         self.evaluate();
+        let (judged, is_rough) = self.judged_as_followed(marks);
+        if !is_rough {
+            return judged;
+        }
+        self.follow_thoroughly();
+        self.judged_as_followed(marks).0
+    }
+
+    /// The same as the tape was followed, and whether it has to be followed thoroughly.
+    fn judged_as_followed(&mut self, marks: &[u32]) -> (Vec<Judged>, bool) {
+        let mut is_rough = false;
         // What stands near to each other on the tape leads back to the same slots.
         let mut order: Vec<usize> = (0..marks.len()).collect();
         order.sort_by_key(|index| marks[*index]);
@@ -186,24 +205,38 @@ impl Tape {
                 let leads = |slot: u32| reached.get(slot as usize).is_some_and(|to| to & (1 << lane) != 0);
                 judged[*index].weakness = weak.iter().find(|d| leads(d.slot)).map(|d| d.reason);
             }
-            let mut errors = [0.0; LANES];
+            let (mut errors, mut left_out) = ([0.0; LANES], [0.0; LANES]);
             for (index, _) in reached.iter().enumerate().filter(|(_, to)| **to != 0) {
-                let own = slots[index].own;
-                for (error, adjoint) in errors.iter_mut().zip(std::mem::take(&mut lanes[index])) {
+                let slot = &slots[index];
+                for (lane, adjoint) in std::mem::take(&mut lanes[index]).into_iter().enumerate() {
                     // What does not lead to the result may err without bound.
-                    *error += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * own };
+                    if adjoint != 0.0 {
+                        errors[lane] += adjoint.abs() * slot.own;
+                        left_out[lane] += adjoint.abs() * slot.left_out;
+                    }
                 }
             }
-            for (index, error) in at_once.iter().zip(errors) {
-                judged[*index].bound = (1.0 + ROUNDED) * error;
+            for (lane, index) in at_once.iter().enumerate() {
+                let judged = &mut judged[*index];
+                judged.bound = (1.0 + ROUNDED) * errors[lane];
+                is_rough |= self.is_rough(errors[lane], left_out[lane], judged.weakness);
             }
         }
-        judged
+        (judged, is_rough)
     }
 
     /// The reason of the first divisor behind this result that does not exceed its own error eightfold.
     pub fn weakness(&mut self, mark: u32) -> Option<Reason> {
         self.evaluate();
+        let weakness = self.weakness_as_followed(mark);
+        if !self.is_rough(0.0, 0.0, weakness) {
+            return weakness;
+        }
+        self.follow_thoroughly();
+        self.weakness_as_followed(mark)
+    }
+
+    fn weakness_as_followed(&mut self, mark: u32) -> Option<Reason> {
         if self.bounds.weak.is_empty() {
             return None;
         }
@@ -222,10 +255,23 @@ impl Tape {
     /// What all slots together can do to a result.
     pub(super) fn total_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
+        let [error, left_out] = self.swept_error();
+        if !self.is_rough(error, left_out, None) {
+            return error;
+        }
+        self.follow_thoroughly();
+        self.sweep_back(mark);
+        self.swept_error()[0]
+    }
+
+    /// The error of a result from which a sweep has come back, and how much of it the tangents left out.
+    fn swept_error(&self) -> [f64; 2] {
         // What does not lead to the result may err without bound.
         let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots);
         let moves = slots.filter(|([adjoint], _)| *adjoint != 0.0);
-        moves.map(|([adjoint], slot)| adjoint.abs() * slot.own).sum()
+        moves.fold([0.0; 2], |[error, left_out], ([adjoint], slot)| {
+            [error + adjoint.abs() * slot.own, left_out + adjoint.abs() * slot.left_out]
+        })
     }
 
     /// What all slips of the hand together can do to a result, to first order.
@@ -259,7 +305,14 @@ impl Tape {
     }
 
     fn push(&mut self, partials: [f64; MOST_OPERANDS], own: f64, error: f64) {
-        self.bounds.slots.push(Slot { partials, own, error, point: None, drawn_in: DrawnIn::Not });
+        self.bounds.slots.push(Slot {
+            partials,
+            own,
+            left_out: 0.0,
+            error,
+            point: None,
+            drawn_in: DrawnIn::Not,
+        });
     }
 
     fn look_at_events(&mut self, before: usize) {
@@ -339,7 +392,7 @@ impl Tape {
             let of_error = if least > 0.0 && sweep.how < DrawnIn::Wholly { 0.0 } else { sweep.of_error };
             let matters = beyond.left_out > sweep.of_rounding * least + of_error * along
                 || along > sweep.of_terms * terms && terms > 0.0;
-            if !matters || beyond.left_out.is_infinite() {
+            if !matters || beyond.left_out.is_infinite() || !self.may_sweep(index, sweep.how) {
                 break;
             }
             for &mark in &of[..count] {
@@ -355,6 +408,29 @@ impl Tape {
             let own = rounding + beyond.left_out;
             self.push([0.0; MOST_OPERANDS], own, own);
         }
+        if let Some(slot) = self.bounds.slots.last_mut() {
+            slot.left_out = beyond.left_out;
+        }
+    }
+
+    /// Whether a sweep may go back for the operands of an operation: of a long tape none goes through the whole before a
+    /// result has asked for it.
+    fn may_sweep(&self, index: usize, how: DrawnIn) -> bool {
+        index < LONG || how < DrawnIn::ToWholePoints || self.bounds.is_thorough
+    }
+
+    /// Follows the tape once more, with every sweep that is worth it: a result is off by what was left out of a long tape
+    /// without them, or divided by what they may tell from zero.
+    fn follow_thoroughly(&mut self) {
+        self.bounds = Bounds { is_thorough: true, ..Bounds::default() };
+        self.evaluate();
+    }
+
+    /// Whether a long tape that was not followed thoroughly leaves a result worse than it needs to be: much of its error
+    /// is what the tangents left out, or a divisor behind it seems too weak.
+    fn is_rough(&self, error: f64, left_out: f64, weakness: Option<Reason>) -> bool {
+        let is_short_of = left_out > OF_LEFT_OUT * error || weakness.is_some();
+        !self.bounds.is_thorough && self.nodes.len() > LONG && is_short_of
     }
 
     /// A bound of the error of a slot.
