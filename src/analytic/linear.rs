@@ -1,6 +1,8 @@
 //! Block-triangular linear systems: solved group by group, forwards for motions and backwards for the
 //! sensitivities of one number to every equation.
 
+use std::collections::BinaryHeap;
+
 use nalgebra::DMatrix;
 
 use super::constraints::{Motion, Param, Row};
@@ -116,54 +118,70 @@ impl System {
         x
     }
 
-    /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
-    pub(super) fn adjoint(&self, gradient: Vec<f64>) -> Multipliers {
-        self.adjoint_to(gradient, |_| None)
+    /// The block in which an unknown is found; none for what does not move.
+    pub(super) fn block_of(&self, column: usize) -> Option<usize> {
+        self.block_of.get(column).copied().filter(|block| *block != usize::MAX)
     }
 
-    /// The same by a sweep that ends at unknowns of which an error is known; what these do is slack.
+    /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
+    pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
+        let blocks: Vec<usize> = gradient
+            .iter()
+            .zip(&self.block_of)
+            .filter(|(g, block)| **g != 0.0 && **block != usize::MAX)
+            .map(|(_, block)| *block)
+            .collect();
+        self.adjoint_to(&mut gradient, &blocks, |_| None)
+    }
+
+    /// The same by a sweep from some blocks that ends at unknowns of which an error is known; what these do is slack. Of the
+    /// gradient nothing is left in a block where the sweep came through: a short sweep costs the same in a long chain.
     pub(super) fn adjoint_to(
         &self,
-        mut gradient: Vec<f64>,
+        gradient: &mut [f64],
+        blocks: &[usize],
         known: impl Fn(usize) -> Option<f64>,
     ) -> Multipliers {
         let mut multipliers = Multipliers { rows: Vec::new(), slack: 0.0 };
-        // Blocks depend on earlier ones: behind the last that the number depends on there is nothing to do.
-        let touched =
-            gradient.iter().zip(&self.block_of).filter(|(g, _)| **g != 0.0).map(|(_, block)| *block);
-        let last = touched.filter(|block| *block != usize::MAX).max();
-        let blocks = &self.blocks[..last.map_or(0, |last| last + 1)];
-        for (index, block) in blocks.iter().enumerate().rev() {
-            let columns = &block.group.columns;
-            if columns.iter().all(|c| gradient[*c] == 0.0) {
+        // Blocks depend on earlier ones: the last that waits is the next.
+        let mut waiting = BinaryHeap::from(blocks.to_vec());
+        while let Some(index) = waiting.pop() {
+            // What is reached twice comes twice in a row.
+            if waiting.peek() == Some(&index) {
                 continue;
             }
+            let block = &self.blocks[index];
+            let columns = &block.group.columns;
             for column in columns {
                 if let Some(error) = known(*column) {
                     let moves = std::mem::take(&mut gradient[*column]).abs();
                     multipliers.slack += if moves == 0.0 { 0.0 } else { moves * error };
                 }
             }
-            let Some(inverse) = &block.inverse else {
+            if let Some(inverse) = &block.inverse {
+                for (i, row) in block.group.rows.iter().enumerate() {
+                    let weight: f64 =
+                        columns.iter().enumerate().map(|(j, c)| inverse[(j, i)] * gradient[*c]).sum();
+                    if weight == 0.0 {
+                        continue;
+                    }
+                    multipliers.rows.push((*row, weight));
+                    for (column, value) in &self.entries[*row] {
+                        let before = self.block_of[*column];
+                        if before != index && before != usize::MAX {
+                            gradient[*column] -= weight * value;
+                            waiting.push(before);
+                        }
+                    }
+                }
+            } else {
                 multipliers.slack += match &block.widths {
+                    _ if columns.iter().all(|c| gradient[*c] == 0.0) => 0.0,
                     Some(widths) => columns.iter().zip(widths).map(|(c, w)| gradient[*c].abs() * w).sum(),
                     None => f64::INFINITY,
                 };
-                continue;
-            };
-            for (i, row) in block.group.rows.iter().enumerate() {
-                let weight: f64 =
-                    columns.iter().enumerate().map(|(j, c)| inverse[(j, i)] * gradient[*c]).sum();
-                if weight == 0.0 {
-                    continue;
-                }
-                multipliers.rows.push((*row, weight));
-                for (column, value) in &self.entries[*row] {
-                    if self.block_of[*column] != index && self.block_of[*column] != usize::MAX {
-                        gradient[*column] -= weight * value;
-                    }
-                }
             }
+            columns.iter().for_each(|column| gradient[*column] = 0.0);
         }
         multipliers
     }

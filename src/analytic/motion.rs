@@ -101,6 +101,26 @@ pub(super) fn param_error(by_param: &[f64], params: &[Param]) -> f64 {
     by_param.iter().zip(params).map(|(c, p)| c.abs() * p.error).filter(|e| *e > 0.0).sum()
 }
 
+/// The same of these multipliers only, after which nothing is left of them.
+fn taken_param_error(
+    multipliers: &Multipliers,
+    rows: &[Linear],
+    by_param: &mut [f64],
+    params: &[Param],
+) -> f64 {
+    let terms = multipliers.rows.iter().flat_map(|(row, _)| &rows[*row].terms);
+    let mut touched: Vec<usize> = terms
+        .filter_map(|(leaf, _)| match leaf {
+            Leaf::Param(at) => Some(*at),
+            _ => None,
+        })
+        .collect();
+    touched.sort_unstable();
+    touched.dedup();
+    let errors = touched.iter().map(|at| std::mem::take(&mut by_param[*at]).abs() * params[*at].error);
+    errors.filter(|error| *error > 0.0).sum()
+}
+
 /// The radii of an assembled position.
 pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, AnalyticError> {
     let Assembly { pose, ordering } = assembly;
@@ -216,16 +236,17 @@ impl Located {
     /// Finds the radii of these unknowns by sweeps back. Says whether any was not found so before.
     fn sharpen(&mut self, model: &Model, columns: impl Iterator<Item = usize>, how: Sharpness) -> bool {
         let rough: Vec<usize> = columns.filter(|column| self.sharp[*column] < how).collect();
+        let known = |at: usize| (how < Sharpness::Whole && self.sharp[at] >= how).then_some(self.error[at]);
+        let mut gradient = vec![0.0; if rough.is_empty() { 0 } else { self.pose.len() }];
+        let mut by_param = vec![0.0; if rough.is_empty() { 0 } else { model.params.len() }];
         let found: Vec<f64> = rough
             .iter()
             .map(|column| {
-                let mut gradient = vec![0.0; self.pose.len()];
+                let Some(block) = self.system.block_of(*column) else { return 0.0 };
                 gradient[*column] = 1.0;
-                let known =
-                    |at: usize| (how < Sharpness::Whole && self.sharp[at] >= how).then_some(self.error[at]);
-                let multipliers = self.system.adjoint_to(gradient, known);
-                let mut by_param = vec![0.0; model.params.len()];
-                error_of(&multipliers, &self.rows, &mut by_param) + param_error(&by_param, &model.params)
+                let multipliers = self.system.adjoint_to(&mut gradient, &[block], known);
+                let error = error_of(&multipliers, &self.rows, &mut by_param);
+                error + taken_param_error(&multipliers, &self.rows, &mut by_param, &model.params)
             })
             .collect();
         for (&column, error) in rough.iter().zip(found) {
