@@ -456,6 +456,7 @@ impl Wanted<'_> {
             Action::Weight(_)
             | Action::Spring { .. }
             | Action::Drive(_)
+            | Action::DriveBack(_)
             | Action::Drag(_)
             | Action::Rolling { .. } => Vec::new(),
             Action::OnFrame => all(),

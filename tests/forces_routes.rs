@@ -534,3 +534,37 @@ fn a_turned_gear_train_has_turned_forces() {
         }
     }
 }
+
+/// A ram between a lever and a swivelling guide: the drive stands on both, and is no force of their pair. Sides of 300, 350
+/// and 400 mm tell the arm about O2 in closed form.
+#[test]
+fn what_drives_a_bare_pin_stands_on_both_links() {
+    let (_, found) = answers(&json!({
+        "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O3": [400, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 300 }, "3": { "joins": ["O3"] } },
+        "slides": [{ "pin": "A", "on": { "link": 3, "through": "O3" } }],
+        "near": { "A": [150, 260] },
+        "input": { "slide": "A", "at": 350, "velocity": "50 mm/s" },
+        "loads": [{ "on": 2, "torque": "100 N*m" }],
+        "find": ["drive(A)", "F(3,2)", "F(2,3)", "F(A,2)", "F(A,3)", "F(1,2)", "F(1,3)", "moment(F(A,2),O2)"]
+    }))
+    .unwrap();
+    let x = (0.3_f64.powi(2) - 0.35_f64.powi(2) + 0.4_f64.powi(2)) / 0.8;
+    let y = (0.3_f64.powi(2) - x * x).sqrt();
+    let drive = 100.0 / (0.4 * y / 0.35);
+    // Along the guide from O3 to A, and the ram pulls.
+    let along = [(x - 0.4) / 0.35, y / 0.35];
+    let size = |name: &str, expected: [f64; 2]| {
+        let Answer::Vector { value, bound } = found[name] else { panic!("{name}") };
+        let off = libm::hypot(value[0] - expected[0], value[1] - expected[1]);
+        assert!(off <= bound + 1e-10, "{name}: {value:?}, not {expected:?}");
+    };
+    let Answer::Scalar { value, bound } = found["drive(A)"] else { panic!() };
+    assert!((value + drive).abs() <= bound + 1e-10, "{value}, not {}", -drive);
+    ["F(3,2)", "F(2,3)", "F(A,3)"].map(|name| size(name, [0.0; 2]));
+    ["F(A,2)", "F(1,3)"].map(|name| size(name, along.map(|part| -drive * part)));
+    size("F(1,2)", along.map(|part| drive * part));
+    let Answer::Scalar { value, bound } = found["moment(F(A,2),O2)"] else { panic!() };
+    assert!((value + 100.0).abs() <= bound + 1e-10, "{value}");
+}

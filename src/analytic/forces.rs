@@ -392,6 +392,14 @@ impl State {
                     Through::Pin(pin) if m.parties_at(pin).len() > 2 => m.carrier(pin) == Some(on),
                     _ => on == LinkId::FRAME,
                 };
+                let held_by_on = match pair {
+                    // The drive of a pin is no force of its pair: the guide feels the pair alone.
+                    Through::Pin(pin) => match m.drive_between(pin, [by, on]) {
+                        Some((_, guide)) => guide == by,
+                        None => held_by_on,
+                    },
+                    _ => held_by_on,
+                };
                 let (body, sign) = if held_by_on { (by.0, -1.0) } else { (on.0, 1.0) };
                 Part { pair, body, sign }
             })
@@ -418,6 +426,11 @@ impl State {
             let friction = s.friction_on(|rubbing| of_tie(pair)(rubbing.tie), body, about);
             friction.map_or(wrench, |more| add(wrench, more, 1.0))
         };
+        // The frame feels what no body has kept for itself.
+        let of_pair = |pair: Through, body: usize| match body {
+            0 => (1..self.model.bodies).fold([zero; 3], |sum, body| add(sum, through(pair, body), -1.0)),
+            _ => through(pair, body),
+        };
         let inertial = |heavy: &HeavyBody| {
             if !s.inertial_too() {
                 return [zero; 3];
@@ -430,16 +443,11 @@ impl State {
         match action {
             Action::Pair { by, on } => {
                 let parts = self.parts(by, on);
-                parts.iter().fold([zero; 3], |sum, part| add(sum, through(part.pair, part.body), part.sign))
+                parts.iter().fold([zero; 3], |sum, part| add(sum, of_pair(part.pair, part.body), part.sign))
             }
             Action::OfPin(pin, link) | Action::OnPin(link, pin) => {
                 let sign = if matches!(action, Action::OnPin(..)) { -1.0 } else { 1.0 };
-                let pair = Through::Pin(pin);
-                if link != LinkId::FRAME {
-                    return add([zero; 3], through(pair, link.0), sign);
-                }
-                let bodies = 1..self.model.bodies;
-                bodies.fold([zero; 3], |sum, body| add(sum, through(pair, body), -sign))
+                add([zero; 3], of_pair(Through::Pin(pin), link.0), sign)
             }
             Action::Inertia(link) => self.heavy(s, link).map_or([zero; 3], inertial),
             Action::Centrifugal(link) => self.heavy(s, link).map_or([zero; 3], |heavy| {
@@ -476,6 +484,7 @@ impl State {
                 let ([x, y], at) = s.spring_on(&s.burden.springs[index], end);
                 [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x]
             }
+            Action::DriveBack(input) => add([zero; 3], self.action(s, Action::Drive(input), about), -1.0),
             Action::Drive(input) => {
                 let place = s.burden.sought.iter().position(|sought| *sought == Sought::Effort(input));
                 match place.zip(self.model.effort_line(input)) {

@@ -451,7 +451,7 @@ impl<'s> Case<'s> {
             Action::Inertia(_) | Action::Centrifugal(_) => 1,
             Action::Shaking => 4,
             Action::OnFrame => 11 + 10 * bodies.len(),
-            Action::Drive(_) => 12 + 10 * bodies.len(),
+            Action::Drive(_) | Action::DriveBack(_) => 12 + 10 * bodies.len(),
             Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..) | Action::Rolling { .. } => {
                 6 + found(action)
             }

@@ -403,6 +403,24 @@ impl Mechanism {
         loads.chain(springs.map(|(index, _)| Sought::Spring(index))).chain(spin).collect()
     }
 
+    /// What drives a pin that rides without a block, by index of the input, and the link that carries the guide. The drive
+    /// stands between the two: it is no force of their pair.
+    #[must_use]
+    pub fn drive_of_pin(&self, pin: PointId) -> Option<(usize, LinkId)> {
+        self.inputs.iter().enumerate().find_map(|(index, input)| {
+            let Input::Slide { slide, .. } = input else { return None };
+            let slide = self.slides.get(*slide)?;
+            (self.party_of(&slide.rider) == Party::Pin(pin)).then_some((index, slide.guide.link))
+        })
+    }
+
+    /// The same of the pin at which two links alone meet, one of which carries its guide.
+    #[must_use]
+    pub fn drive_between(&self, pin: PointId, links: [LinkId; 2]) -> Option<(usize, LinkId)> {
+        let (input, guide) = self.drive_of_pin(pin)?;
+        (links.contains(&guide) && self.parties_at(pin).len() == 2).then_some((input, guide))
+    }
+
     /// The link or the pin that rides in a sliding pair.
     #[must_use]
     pub fn party_of(&self, rider: &Rider) -> Party {
@@ -610,6 +628,8 @@ pub enum Action {
     },
     /// The force along the guide on a driven slide, by index of the input; drawn, not asked.
     Drive(usize),
+    /// The same on the link that carries the guide, the other way round; drawn, not asked.
+    DriveBack(usize),
     /// What drags on the sleeve of a governor, by index of its sliding pair; drawn, not asked.
     Drag(usize),
     /// The force of a rolling pair on one of its bodies, where these meet in another pair besides; drawn, not asked.
@@ -753,6 +773,7 @@ impl Action {
             Self::Weight(link) => format!("W({})", l(link)),
             Self::Spring { index, .. } => format!("spring({})", mechanism.forces.springs[index].name),
             Self::Drive(input) => Force::Drive(input).name(mechanism),
+            Self::DriveBack(input) => format!("-{}", Force::Drive(input).name(mechanism)),
             Self::Drag(slide) => match mechanism.slides[slide].rider {
                 Rider::Pin { point, .. } => format!("drag({})", p(point)),
                 Rider::Link { link, .. } => format!("drag({})", l(link)),
@@ -779,6 +800,7 @@ impl Action {
             | Self::Load(_)
             | Self::Spring { .. }
             | Self::Drive(_)
+            | Self::DriveBack(_)
             | Self::Drag(_) => ([None; 2], [None; 2]),
         }
     }

@@ -94,6 +94,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::Weight(link) => marked("W", "", &notation.number(link)),
         Action::Spring { index, .. } => marked(pull(index), "", &mechanism.forces.springs[index].name),
         Action::Drive(input) => drive(input),
+        Action::DriveBack(input) => Rich::upright("−").then(&drive(input)),
         Action::Drag(_) => marked("F", "", "f"),
         Action::Rolling { roll, on } => {
             let [by, on] = mechanism.bodies_rolling(roll, on);

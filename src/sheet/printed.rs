@@ -337,6 +337,7 @@ pub(super) fn either(action: Action) -> Action {
     match action {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),
+        Action::DriveBack(input) => Action::Drive(input),
         other => other,
     }
 }

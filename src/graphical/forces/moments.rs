@@ -19,6 +19,7 @@ pub(super) fn same_pair(one: Action, other: Action) -> bool {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),
         Action::Spring { index, .. } => Action::Spring { index, end: 0 },
+        Action::DriveBack(input) => Action::Drive(input),
         Action::Rolling { roll, .. } => Action::Rolling { roll, on: LinkId::FRAME },
         other => other,
     };

@@ -211,6 +211,10 @@ impl Draughtsman<'_> {
                 let (along, _) = self.guide_at(slide, at);
                 Ok(vec![Item { pull: Some(self.pull_along(along, size)), at, couple: None }])
             }
+            Action::DriveBack(input) => {
+                let items = self.items_of(Action::Drive(input), share)?;
+                Ok(items.into_iter().map(|item| self.reversed(item)).collect())
+            }
             Action::Drag(_) => {
                 let spin = self.mechanism.forces.spin.ok_or(NOT_DRAWN)?;
                 let drag = spin.drag.ok_or(NOT_DRAWN)?;
@@ -277,6 +281,10 @@ impl Draughtsman<'_> {
                     let item = self.of_pin(balance, pin, by)?;
                     return Ok(vec![self.reversed(item)]);
                 }
+                if let Some((_, guide)) = self.mechanism.drive_between(pin, [by, on]) {
+                    let item = self.of_pin(balance, pin, guide)?;
+                    return Ok(vec![if on == guide { item } else { self.reversed(item) }]);
+                }
                 Ok(vec![self.of_pin(balance, pin, on)?])
             }
             Through::Slide(index) => {
@@ -319,6 +327,13 @@ impl Draughtsman<'_> {
                 let touch = self.touch_at(balance, pin, other);
                 items.push(Item { pull: Some(Self::opposite(pull)), at: touch, couple: None });
             }
+        }
+        // What drives the pin goes on to whoever holds it.
+        if let Some((input, guide)) = self.mechanism.drive_of_pin(pin)
+            && guide != link
+        {
+            let drive = self.items_of(Action::Drive(input), balance.share)?;
+            others.extend(drive.into_iter().filter_map(|item| item.pull).map(Self::opposite));
         }
         let pull = match others[..] {
             [only] => Self::opposite(only),

@@ -437,6 +437,11 @@ impl Draughtsman<'_> {
         pins.collect()
     }
 
+    /// Whether the inputs have efforts.
+    fn drives_are_sought(&self) -> bool {
+        self.mechanism.named_sought().is_empty()
+    }
+
     /// A pin at which several links meet, cut free.
     fn free_pin(&mut self, pin: PointId, found: &Found) -> Option<FreeBody> {
         let mut acting: Vec<Acting> = Vec::new();
@@ -446,6 +451,9 @@ impl Draughtsman<'_> {
             acting.extend(self.acting(action, known));
         }
         acting.sort_by_key(|acting| acting.known);
+        if let Some((input, _)) = self.mechanism.drive_of_pin(pin).filter(|_| self.drives_are_sought()) {
+            acting.extend(self.acting(Action::Drive(input), Knowledge::Line));
+        }
         let of = Party::Pin(pin);
         (!acting.is_empty()).then_some(FreeBody { of, acting, torques: Vec::new(), with_next: false })
     }
@@ -513,12 +521,23 @@ impl Draughtsman<'_> {
                 wanted.push((m.force_of_roll(index, link), known));
             }
         }
-        let sought = m.named_sought().is_empty();
         for (index, input) in m.inputs.iter().enumerate() {
-            if let (Input::Slide { slide, .. }, true) = (input, sought)
-                && m.party_of(&m.slides[*slide].rider) == Party::Link(link)
-            {
+            let Input::Slide { slide, .. } = input else { continue };
+            if !self.drives_are_sought() {
+                continue;
+            }
+            let rides = match m.party_of(&m.slides[*slide].rider) {
+                Party::Link(rider) => rider == link,
+                // At a pin of more links the pin itself is cut free.
+                Party::Pin(pin) => {
+                    let parties = m.parties_at(pin);
+                    parties.len() == 2 && parties.contains(&link) && m.slides[*slide].guide.link != link
+                }
+            };
+            if rides {
                 wanted.push((Action::Drive(index), Knowledge::Line));
+            } else if m.slides[*slide].guide.link == link {
+                wanted.push((Action::DriveBack(index), Knowledge::Line));
             }
         }
         // What is known is laid off first, then what moments give; what the polygon finds closes it.
