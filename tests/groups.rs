@@ -159,6 +159,59 @@ fn a_bare_pin_in_the_slot_of_a_link_that_only_translates() {
     vector(&drawn, "slip(P/2)", [0.0, 0.0]);
 }
 
+/// A rack on a pinion about C, its contact at the origin, its line along x and its pin B at a height of 2 above it; what
+/// holds or drives it besides, and the joint D of the pinion.
+fn rack_above_a_pinion(links: &str, inputs: &str, find: &str) -> String {
+    format!(
+        r#"{{
+          "fixed": {{ "A": [3, 0.5], "C": [0, -1] }},
+          "placed": {{ "B": [0, 2], "E": [1.5, 2.5], "D": [-0.5, -1] }},
+          "links": {{ {links}
+            "3": {{ "joins": ["B", "E"] }},
+            "4": {{ "joins": ["C", "D"] }}
+          }},
+          "rolls": [ {{ "links": [3, 4], "line": {{ "link": 3, "through": [0, 0], "angle": 0 }}, "centre": "C", "radius": 1 }} ],
+          "inputs": [ {inputs} ],
+          "find": [{find}]
+        }}"#
+    )
+}
+
+/// The pin of a rack stands square above its contact with the pinion that drives it: the crank rests there, and turning it
+/// would not tell how the rack turns. With ω of the pinion, its radius 1 and the height 2: V_B = 0, so that ω₃ = −ω/2; the
+/// contact of the rack has A = ω₃² − 2 ω₃ ω towards the pin, A_B = (−ε − 2 ε₃, ω₃² − 2 ω₃ ω − 2 ω₃²) is square to AB = (−3, 1.5).
+#[test]
+fn a_rack_whose_pin_stands_above_the_contact_is_driven_by_its_pinion() {
+    let drawn = confirmed(&rack_above_a_pinion(
+        r#""2": { "joins": ["A", "B"] },"#,
+        r#"{ "link": 4, "omega": 2, "alpha": 1 }"#,
+        r#""omega(2)", "omega(3)", "alpha(2)", "alpha(3)", "v(B)", "v(E)", "a(B)", "a(E)""#,
+    ));
+    near_enough(drawn.scalar("omega(2)").0, 0.0);
+    near_enough(drawn.scalar("omega(3)").0, -1.0);
+    near_enough(drawn.scalar("alpha(2)").0, -1.0);
+    near_enough(drawn.scalar("alpha(3)").0, -1.25);
+    vector(&drawn, "v(B)", [0.0, 0.0]);
+    vector(&drawn, "v(E)", [0.5, -1.5]);
+    vector(&drawn, "a(B)", [1.5, 3.0]);
+    vector(&drawn, "a(E)", [1.5 + 1.25 * 0.5 - 1.5, 3.0 - 1.25 * 1.5 - 0.5]);
+}
+
+/// The same rack without a crank, driven itself: every point of it turns about the contact.
+#[test]
+fn a_driven_rack_rolls_on_a_driven_pinion() {
+    for stated in [r#""omega": 3, "alpha": -2"#, r#""angle": 18.43494882292201, "omega": 3, "alpha": -2"#] {
+        let inputs = format!(r#"{{ "link": 4, "omega": 2, "alpha": 1 }}, {{ "link": 3, {stated} }}"#);
+        let find = r#""v(B)", "v(E)", "a(B)", "a(E)""#;
+        let drawn = confirmed(&rack_above_a_pinion("", &inputs, find));
+        vector(&drawn, "v(B)", [-2.0 - 6.0, 0.0]);
+        vector(&drawn, "v(E)", [-2.0 - 7.5, 4.5]);
+        // The contact of the rack: (−ε, ω₃² − 2 ω₃ ω) = (−1, −3).
+        vector(&drawn, "a(B)", [-1.0 + 4.0, -3.0 - 18.0]);
+        vector(&drawn, "a(E)", [-1.0 + 5.0 - 13.5, -3.0 - 3.0 - 22.5]);
+    }
+}
+
 /// A rack pinned to a crank and held against a pinion on a fixed shaft, stated by places: crank angle 60°.
 fn rack_on_crank(driver: u32, dimensions: bool) -> String {
     let (crank, radius, shaft) = (0.1, 0.04, 0.25);

@@ -96,7 +96,6 @@ const RIGHT: &[(&str, &str, &str)] = &[
         "closing_unknown(closing) else { return };",
         "a given angle leaves nothing to read",
     ),
-    ("graphical/dyad.rs", "= kind else { return };", "a group of another kind is another construction's"),
     ("graphical/velocity.rs", "= kind else { return };", "a group of another kind is another construction's"),
     (
         "graphical/dyad.rs",

@@ -50,7 +50,7 @@ impl Draughtsman<'_> {
             },
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
-            GroupKind::DrivenBar { link, input, .. } => {
+            GroupKind::DrivenBar { link, input, .. } | GroupKind::DrivenRack { link, input, .. } => {
                 let alpha = self.driven_rate(Order::Acceleration, input);
                 self.set_rate(Order::Acceleration, link, alpha);
                 self.dyad(Order::Acceleration, step, group);

@@ -259,8 +259,12 @@ impl Draughtsman<'_> {
     }
 
     /// The other pins of a driven link: their images, and what their sliding is.
-    fn other_pins(&mut self, order: Order, kind: GroupKind) {
-        let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
+    pub(super) fn other_pins(&mut self, order: Order, kind: GroupKind) {
+        let (link, point, under) = match kind {
+            GroupKind::DrivenBar { link, point, under, .. } => (link, point, under),
+            GroupKind::DrivenRack { link, centre, .. } => (link, centre, [true; 2]),
+            _ => return,
+        };
         let unknowns = kind.unknowns(self.mechanism).into_iter().flat_map(|(_, unknowns)| unknowns);
         for (found, is_under) in unknowns.zip(under) {
             let Unknown::Carried { hold, back, pin, .. } = found else { continue };
@@ -637,7 +641,7 @@ impl Draughtsman<'_> {
     }
 
     /// Images of the further points of the group's links.
-    fn further_images(&mut self, order: Order, step: &GroupStep, kind: GroupKind) {
+    pub(super) fn further_images(&mut self, order: Order, step: &GroupStep, kind: GroupKind) {
         for &(link, point) in &step.points {
             self.board.purpose(match order {
                 Order::Acceleration => "acceleration image of a further point",

@@ -1,11 +1,15 @@
+//! Racks that lie on a wheel whose centre stands already.
+//!
 //! A rack that is pinned to a solved link and held against a wheel whose centre stands already. In the rack's own
 //! figure the wheel's centre lies on a parallel to its line, one radius away on either side; an arc about the pin,
 //! with the distance of the centre, meets that parallel, and the figure is laid on.
 
 use crate::board::{Circle, Line, Side};
+use crate::mechanism::structure::Drive;
 use crate::mechanism::{Form, LinkId, PointId, Roll};
 use crate::plan::GroupStep;
 
+use super::construction::Act;
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 use super::pose::{Pose, Track};
@@ -30,6 +34,39 @@ impl Draughtsman<'_> {
         } else if let Some(point) = placed {
             self.prick_given(point);
             self.pose_by_points(link, base, point);
+        } else {
+            self.poses[link.0] = Some(self.pose_against((link, base), centre, roll)?);
+        }
+        self.transfer_by_pose(step, link);
+        self.contact(wheel, roll);
+        Ok(())
+    }
+
+    /// The pose of a driven rack, with its wanted points and the contact: from a given place of it as its input says that it
+    /// stands, or towards another one; or as it touches the wheel. Rolling says nothing of where it began.
+    pub(super) fn driven_rack(
+        &mut self,
+        step: &GroupStep,
+        (link, input): (LinkId, Drive),
+        (wheel, centre): (LinkId, PointId),
+        roll: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("driven rack");
+        let points = self.mechanism.link(link).points.clone();
+        let placed: Vec<PointId> = points.iter().copied().filter(|&p| self.prick_given(p)).collect();
+        let Some(&base) = placed.first() else {
+            return Err(match points.first() {
+                Some(&point) => DrawError::NotPlaced { point },
+                None => DrawError::Missing(Missing::Joint(link)),
+            });
+        };
+        self.act(Act::MarkPlaces);
+        if matches!(self.mechanism.link(link).form, Form::Single) {
+            self.one_joint_link(link, base)?;
+        } else if placed.len() > 1 || self.stands_in_world(link) || self.driven_angle(input).is_some() {
+            let (own_along, along) = self.bar_direction(link, input)?;
+            let (own_anchor, anchor) = (self.own(link, base), self.at(base));
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
         } else {
             self.poses[link.0] = Some(self.pose_against((link, base), centre, roll)?);
         }

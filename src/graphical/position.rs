@@ -146,6 +146,9 @@ impl Draughtsman<'_> {
             GroupKind::DrivenWheel { wheel, centre, roll, input, .. } => {
                 self.driven_wheel(step, (wheel, centre), roll, input)?;
             }
+            GroupKind::DrivenRack { link, wheel, centre, roll, input } => {
+                self.driven_rack(step, (link, input), (wheel, centre), roll)?;
+            }
             GroupKind::Rolling { rod, base, wheel, centre, roll } => {
                 self.rolling(step, (rod, base), wheel, centre, roll)?;
             }
@@ -238,7 +241,7 @@ impl Draughtsman<'_> {
     }
 
     /// The angle of a driven link, where the input states it.
-    fn driven_angle(&mut self, input: Drive) -> Option<Angle> {
+    pub(super) fn driven_angle(&mut self, input: Drive) -> Option<Angle> {
         match input {
             Drive::Input(input) => match self.mechanism.inputs[input] {
                 Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
@@ -801,7 +804,11 @@ impl Draughtsman<'_> {
     }
 
     /// A direction of a driven link's own figure, and where it points on the skeleton; none where nothing says it.
-    fn bar_direction(&mut self, link: LinkId, input: Drive) -> Result<(Direction, Direction), DrawError> {
+    pub(super) fn bar_direction(
+        &mut self,
+        link: LinkId,
+        input: Drive,
+    ) -> Result<(Direction, Direction), DrawError> {
         let placed: Vec<PointId> =
             self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
         if self.stands_in_world(link) {

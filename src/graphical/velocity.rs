@@ -55,6 +55,7 @@ impl Draughtsman<'_> {
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
             GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
+            GroupKind::DrivenRack { .. } => self.velocity_of_driven_rack(step, group.kind),
             GroupKind::DrivenBar { link, input, .. } => {
                 let omega = self.driven_rate(Order::Velocity, input);
                 self.set_rate(Order::Velocity, link, omega);
@@ -317,6 +318,23 @@ impl Draughtsman<'_> {
             self.silent = !loud;
         }
         self.points_of_wheel(Order::Velocity, step, wheel, centre);
+    }
+
+    /// The contact points of the wheel and of the driven rack have one velocity; from its image V = ω l of each point of
+    /// the rack.
+    fn velocity_of_driven_rack(&mut self, step: &GroupStep, kind: GroupKind) {
+        let GroupKind::DrivenRack { link, wheel, roll, input, .. } = kind else { return };
+        let contact = self.contact_of(roll);
+        self.board.purpose("velocity of a driven rack");
+        self.step(Order::Velocity, &[link], Vec::new());
+        let omega = self.driven_rate(Order::Velocity, input);
+        self.set_rate(Order::Velocity, link, omega);
+        let image = self.contact_image(Order::Velocity, roll, wheel);
+        self.note_under(Order::Velocity, contact, link, image);
+        let with = self.label_under(contact, wheel);
+        self.act(Act::SameImage { label: self.label_under(contact, link), with });
+        self.other_pins(Order::Velocity, kind);
+        self.further_images(Order::Velocity, step, kind);
     }
 
     /// The body on which a wheel rolls.

@@ -190,6 +190,19 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A driven link whose own line rolls on a wheel that is solved: nothing else holds it.
+    DrivenRack {
+        /// The link.
+        link: LinkId,
+        /// The wheel.
+        wheel: LinkId,
+        /// The wheel's centre.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// What says how it turns.
+        input: Drive,
+    },
     /// A group of higher class: something in it is driven by trial until the group closes.
     Higher {
         /// Index into [`Structure::trials`](super::structure::Structure::trials).
@@ -251,6 +264,7 @@ impl fmt::Display for GroupKind {
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::PinnedRack { .. } => "pinned rack",
             Self::RidingCentre { .. } => "riding link on a rolling contact",
+            Self::DrivenRack { .. } => "driven rack",
             Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
         })
@@ -419,6 +433,16 @@ impl GroupKind {
                 };
                 (Target::Pin(point), [0, 1].map(hold))
             }
+            Self::DrivenRack { link, wheel, centre, roll, .. } => {
+                let hold = Hold::Contact { roll, wheel };
+                (
+                    Target::Under(mechanism.contacts[roll], link),
+                    [
+                        Unknown::Carried { hold, back: true, link, pin: centre },
+                        Unknown::Contact { roll, body: link },
+                    ],
+                )
+            }
             Self::DrivenWheel { wheel, centre, roll, guide, .. } => {
                 let held = match guide {
                     Some(guide) => slide(guide, None),
@@ -444,7 +468,8 @@ impl GroupKind {
             | Self::PinnedRack { base, .. }
             | Self::Rpp { base, .. }
             | Self::Yoke { pin: base, .. }
-            | Self::Wheel { centre: base, .. } => vec![base],
+            | Self::Wheel { centre: base, .. }
+            | Self::DrivenRack { centre: base, .. } => vec![base],
             Self::Rrr { bases, .. } => bases.to_vec(),
             Self::Rpr { base, pin, .. } => vec![base, pin],
             Self::DrivenBar { pins, under, .. } => (0..2).filter(|&i| under[i]).map(|i| pins[i]).collect(),
@@ -497,7 +522,9 @@ impl GroupKind {
             | Self::Rpp { point: pin, .. }
             | Self::Prp { pin, .. }
             | Self::RidingCentre { centre: pin, .. } => Some(Lead::Riding(pin)),
-            Self::Rack { roll, .. } => Some(Lead::Riding(mechanism.contacts[roll])),
+            Self::Rack { roll, .. } | Self::DrivenRack { roll, .. } => {
+                Some(Lead::Riding(mechanism.contacts[roll]))
+            }
             Self::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(Lead::Riding(pin)),
             Self::DrivenBar { pins, riders, .. } => {
                 (0..2).find(|&i| riders[i] == Some(link)).map(|i| Lead::Riding(pins[i]))

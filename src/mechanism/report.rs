@@ -330,7 +330,10 @@ fn redundant_in_space(mobility: &Mobility) -> i64 {
 fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
     let links = group.links.iter().map(|l| mechanism.link(*l).number).collect();
     let (class, order) = match group.kind {
-        GroupKind::Driver { .. } | GroupKind::DrivenSlide { .. } | GroupKind::DrivenWheel { .. } => (1, 1),
+        GroupKind::Driver { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::DrivenWheel { .. }
+        | GroupKind::DrivenRack { .. } => (1, 1),
         GroupKind::DrivenBar { .. } => (1, 2),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }

@@ -429,6 +429,7 @@ impl Structure {
                 continue;
             }
             let way = Trial::ways(mechanism, &held, group).next();
+            let way = way.or_else(|| Trial::ways_by_racks(mechanism, &held, group).next());
             if let Some(trial) = way {
                 structure.groups[index].kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -538,7 +539,9 @@ impl Structure {
     pub fn ways_to_try(&self, mechanism: &Mechanism, trial: usize, most: usize) -> Vec<Trial> {
         let kind = GroupKind::Higher { trial };
         let Some(group) = self.groups.iter().find(|group| group.kind == kind) else { return Vec::new() };
-        Trial::ways(mechanism, &self.contacts(), group).take(most).collect()
+        let held = self.contacts();
+        let by_racks = Trial::ways_by_racks(mechanism, &held, group).take(most);
+        Trial::ways(mechanism, &held, group).take(most).chain(by_racks).collect()
     }
 
     /// The group that solves a link; `None` for the frame.
@@ -833,6 +836,9 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                     _ => GroupKind::Other,
                 }
             }
+            ([], &[(_, input)], [], &[held]) if held == roll && lies_on(&mechanism.rolls[roll], link) => {
+                driven_rack(mechanism, link, points, (roll, input))
+            }
             ([], &[(_, input)], guides, contacts) if guides.len() + contacts.len() == 1 => {
                 driven_wheel(mechanism, link, points, (roll, guides.first().copied(), input))
             }
@@ -1113,6 +1119,28 @@ fn driven_wheel(
     }
 }
 
+/// Whether it is a line of this link that rolls.
+fn lies_on(roll: &Roll, link: LinkId) -> bool {
+    matches!(roll, Roll::Line { guide, .. } if guide.link == link)
+}
+
+/// A driven link whose line rolls on a wheel, which nothing else holds.
+fn driven_rack(
+    mechanism: &Mechanism,
+    link: LinkId,
+    points: &[PointId],
+    (roll, input): (usize, Drive),
+) -> GroupKind {
+    match mechanism.rolls[roll] {
+        Roll::Line { wheel, centre, .. }
+            if points.is_empty() && !mechanism.link(link).points.contains(&centre) =>
+        {
+            GroupKind::DrivenRack { link, wheel, centre, roll, input }
+        }
+        _ => GroupKind::Other,
+    }
+}
+
 fn is_straight(guide: Guide) -> bool {
     matches!(guide.path, Path::Straight { .. })
 }
@@ -1162,11 +1190,44 @@ impl Trial {
         };
         let falls_apart = |drivers: Vec<(TrialDriver, Closing)>| {
             let groups = subgroups(mechanism, held, group, &drivers)?;
-            Some(Self { drivers, groups })
+            Some(Self { drivers, groups }).filter(|trial| !trial.drives_a_rack())
         };
         let mut single = pairs.into_iter().filter_map(falls_apart).peekable();
         let double = if single.peek().is_some() { Vec::new() } else { two_and_two() };
         single.chain(double.into_iter().filter_map(falls_apart))
+    }
+
+    /// The ways in which a rack of the group is turned while it rolls on a wheel. They come after all others, for they tell
+    /// more only where those tell nothing: a crank to which the rack is pinned cannot turn it while the pin stands square
+    /// above the contact.
+    fn ways_by_racks<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
+        let racks = group.joints.iter().any(|joint| match *joint {
+            Joint::Roll(roll) => group.links.iter().any(|&link| lies_on(&mechanism.rolls[roll], link)),
+            _ => false,
+        });
+        let (drivers, closings) = if racks {
+            (Self::drivers(mechanism, group), closings(mechanism, group))
+        } else {
+            (Vec::new(), Vec::new())
+        };
+        let pairs: Vec<(TrialDriver, Closing)> = closings
+            .iter()
+            .flat_map(|&(closing, _)| drivers.iter().map(move |&(driver, _)| (driver, closing)))
+            .collect();
+        pairs.into_iter().filter_map(|pair| {
+            let drivers = vec![pair];
+            let groups = subgroups(mechanism, held, group, &drivers)?;
+            Some(Self { drivers, groups }).filter(Self::drives_a_rack)
+        })
+    }
+
+    /// Whether a link is driven whose line rolls on a wheel.
+    fn drives_a_rack(&self) -> bool {
+        self.groups.iter().any(|group| matches!(group.kind, GroupKind::DrivenRack { .. }))
     }
 
     /// What can be driven, and how good it is: links pinned to solved ones, riders on guides of solved links, other

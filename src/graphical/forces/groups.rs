@@ -36,6 +36,9 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
         GroupKind::DrivenWheel { wheel, centre, roll, guide, input } => {
             rolling::driven_wheel(d, (wheel, centre), (roll, guide), input, balance);
         }
+        GroupKind::DrivenRack { link, centre, roll, input, .. } => {
+            rolling::driven_wheel(d, (link, centre), (roll, None), input, balance);
+        }
         GroupKind::Rolling { rod: link, base, wheel, roll, .. }
         | GroupKind::PinnedRack { link, base, wheel, roll, .. } => {
             rolling::leaning(d, (link, base), wheel, roll, balance);

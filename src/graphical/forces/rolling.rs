@@ -373,7 +373,7 @@ pub(super) fn rack(
     d.note_slide(balance, ride, &side, first, SlideForce { pull: of_guide, at, couple });
 }
 
-/// A driven wheel: the polygon gives how hard it presses and how it is held against slipping, or the force of the guide
+/// A driven wheel, or a driven rack on one of that centre: the polygon gives how hard it presses and how it is held against slipping, or the force of the guide
 /// of its centre; then moments give the effort.
 pub(super) fn driven_wheel(
     d: &mut Draughtsman<'_>,
