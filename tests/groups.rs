@@ -159,6 +159,87 @@ fn a_bare_pin_in_the_slot_of_a_link_that_only_translates() {
     vector(&drawn, "slip(P/2)", [0.0, 0.0]);
 }
 
+/// Two Oldham couplings in series, told by places or by dimensions: lever 4 is driven about I; 3 slides along it and across
+/// 9, 9 along lever 2 about A and across lever 8 about E, and all turn as one.
+fn oldham_in_series(angle: f64, places: Option<&[(&str, [f64; 2])]>) -> String {
+    let (known, length, turned) = match places {
+        Some(places) => {
+            let all: Vec<String> =
+                places.iter().map(|(name, [x, y])| format!(r#""{name}": [{x}, {y}]"#)).collect();
+            (format!(r#""placed": {{ {} }}"#, all.join(", ")), "", ["", ""])
+        }
+        None => (
+            r#""near": { "F": [1.6, 0.8], "K": [2, -1.5] }"#.to_owned(),
+            r#", "length": 1"#,
+            [r#""turned": 0,"#, r#""turned": -90,"#],
+        ),
+    };
+    let [even, square] = turned;
+    format!(
+        r#"{{
+          "fixed": {{ "A": [0, 0], "E": [2, 0], "I": [1, -2] }}, {known},
+          "links": {{
+            "2": {{ "joins": ["A", "P"]{length} }},
+            "3": {{ "joins": ["K", "L"]{length} }},
+            "4": {{ "joins": ["I", "S"]{length} }},
+            "8": {{ "joins": ["E", "Q"]{length} }},
+            "9": {{ "joins": ["F", "G"]{length} }}
+          }},
+          "slides": [
+            {{ "link": 9, {even} "on": {{ "link": 2, "through": "A", "toward": "P" }} }},
+            {{ "link": 9, {square} "on": {{ "link": 8, "through": "E", "toward": "Q", "turned": 90 }} }},
+            {{ "link": 3, {square} "on": {{ "link": 9, "through": "F", "toward": "G", "turned": 90 }} }},
+            {{ "link": 3, {even} "on": {{ "link": 4, "through": "I", "toward": "S" }} }}
+          ],
+          "input": {{ "link": 4, "angle": {angle}, "omega": 3, "alpha": -2 }},
+          "find": ["x(F)", "v(F)", "a(F)", "x(K)", "v(K)", "a(K)", "x(P)", "v(L)", "omega(2)", "alpha(8)"]
+        }}"#
+    )
+}
+
+/// F sees A and E at a right angle and runs on the circle about their middle, twice as fast as the levers turn; K is the foot
+/// of F on the line of the driven lever.
+#[test]
+fn oldham_couplings_in_series() {
+    let start = 25.0_f64;
+    let angle = |t: f64| start.to_radians() + 3.0 * t - t * t;
+    let along = |t: f64| [libm::cos(angle(t)), libm::sin(angle(t))];
+    let f = |t: f64| [1.0 + libm::cos(2.0 * angle(t)), libm::sin(2.0 * angle(t))];
+    let k = |t: f64| {
+        let ([x, y], [c, s]) = (f(t), along(t));
+        let part = (x - 1.0) * c + (y + 2.0) * s;
+        [1.0 + part * c, -2.0 + part * s]
+    };
+    let l = |t: f64| [0, 1].map(|axis| k(t)[axis] + along(t)[axis]);
+    let beside = |[x, y]: [f64; 2]| [x + along(0.0)[0], y + along(0.0)[1]];
+    let places = [
+        ("F", f(0.0)),
+        ("G", beside(f(0.0))),
+        ("K", k(0.0)),
+        ("L", l(0.0)),
+        ("P", beside([0.0, 0.0])),
+        ("Q", beside([2.0, 0.0])),
+        ("S", beside([1.0, -2.0])),
+    ];
+    for places in [Some(&places[..]), None] {
+        let drawn = confirmed(&oldham_in_series(start, places));
+        vector(&drawn, "x(F)", f(0.0));
+        vector(&drawn, "x(K)", k(0.0));
+        vector(&drawn, "x(P)", along(0.0));
+        for axis in 0..2 {
+            let of_f = rates(|t| f(t)[axis]);
+            near_to(drawn.vector("v(F)").0[axis], of_f.0);
+            near_to(drawn.vector("a(F)").0[axis], of_f.1);
+            let of_k = rates(|t| k(t)[axis]);
+            near_to(drawn.vector("v(K)").0[axis], of_k.0);
+            near_to(drawn.vector("a(K)").0[axis], of_k.1);
+            near_to(drawn.vector("v(L)").0[axis], rates(|t| l(t)[axis]).0);
+        }
+        near_enough(drawn.scalar("omega(2)").0, 3.0);
+        near_enough(drawn.scalar("alpha(8)").0, -2.0);
+    }
+}
+
 /// A rack on a pinion about C, its contact at the origin, its line along x and its pin B at a height of 2 above it; what
 /// holds or drives it besides, and the joint D of the pinion.
 fn rack_above_a_pinion(links: &str, inputs: &str, find: &str) -> String {

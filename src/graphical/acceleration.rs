@@ -41,7 +41,7 @@ impl Draughtsman<'_> {
         match group.kind {
             GroupKind::Driver { base, input } => match input {
                 Drive::Input(input) => self.acceleration_of_driver(step, group.links[0], base, input),
-                Drive::Trial(_) => {
+                Drive::Trial(_) | Drive::With(_) => {
                     let alpha = self.driven_rate(Order::Acceleration, input);
                     self.set_rate(Order::Acceleration, group.links[0], alpha);
                     self.step(Order::Acceleration, &group.links, Vec::new());

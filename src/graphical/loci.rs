@@ -70,7 +70,7 @@ impl Draughtsman<'_> {
 
     /// A direction of a link's own figure and where it points, by rides on links that stand or whose own direction is found
     /// so; `come_by` is the ride by which it is asked for.
-    fn direction_by_rides(
+    pub(super) fn direction_by_rides(
         &mut self,
         link: LinkId,
         come_by: Option<usize>,

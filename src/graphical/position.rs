@@ -13,7 +13,7 @@ use super::draughtsman::Draughtsman;
 use super::draughtsman::Skeleton;
 use super::figure;
 use super::missing::Missing;
-use super::pose::{Pose, Track};
+use super::pose::{DEEPEST, Pose, Track};
 use super::{DrawError, Misfit};
 
 /// Where the skeleton's own frame begins: the first fixed point, else the first placed one, of those by which anything is
@@ -250,6 +250,7 @@ impl Draughtsman<'_> {
                 Input::Slide { .. } => None,
             },
             Drive::Trial(driver) => self.tried_place(driver),
+            Drive::With(_) => None,
         }
     }
 
@@ -266,6 +267,9 @@ impl Draughtsman<'_> {
         base: PointId,
         input: Drive,
     ) -> Result<(), DrawError> {
+        if matches!(input, Drive::With(_)) && self.driver_by_rides(step, link, base) {
+            return Ok(());
+        }
         match self.driven_angle(input) {
             Some(angle) => {
                 let along = self.board.protractor(angle);
@@ -281,6 +285,23 @@ impl Draughtsman<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// A link about a pin that turns with others, where these lead its direction over from one that stands, and its own
+    /// places do not tell it; says whether they do.
+    fn driver_by_rides(&mut self, step: &GroupStep, link: LinkId, base: PointId) -> bool {
+        let points = self.mechanism.link(link).points.clone();
+        let given =
+            points.into_iter().filter(|&p| p != base && self.is_given(p) && !self.tried.points.contains(&p));
+        if self.stands_in_world(link) || given.count() > 0 {
+            return false;
+        }
+        let Some((own_along, along)) = self.direction_by_rides(link, None, DEEPEST) else { return false };
+        self.board.purpose("driven link");
+        let (own_anchor, anchor) = (self.own(link, base), self.at(base));
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        self.transfer_by_pose(step, link);
+        true
     }
 
     /// A driven link that stands by two of its points, which are placed.
@@ -513,6 +534,9 @@ impl Draughtsman<'_> {
                 self.place(first, place);
                 let length = at.value();
                 self.act(Act::LayOffAlong { slide, point: first, length });
+            }
+            Drive::With(link) => {
+                self.miss_of(Missing::Pose(link));
             }
             Drive::Trial(driver) => match (self.tried_place(driver), self.track(slide, None)) {
                 (Some(at), Track::Straight(line)) => {
@@ -1320,7 +1344,9 @@ impl Draughtsman<'_> {
             }
             self.meet_tracks(tracks, pin, slides)?;
         }
-        for (slide, rider) in slides.into_iter().zip(riders) {
+        // One link that rides on both is laid on once.
+        let once = usize::from(riders[0].is_none() || riders[0] != riders[1]);
+        for (slide, rider) in slides.into_iter().zip(riders).take(1 + once) {
             self.ride_along(step, slide, rider, pin);
         }
         Ok(())

@@ -247,6 +247,9 @@ impl<'m> Draughtsman<'m> {
             return Ok(());
         }
         let rod = self.on_rods(trial, &step.points);
+        if trial.drivers.is_empty() {
+            return self.positions(trial, &steps, &rod, &[]);
+        }
         let loose = trial.drivers.iter().find_map(|&(driver, _)| self.not_placed(driver));
         // Rolling says nothing of where it began: what is tried stands as placed.
         let rolls = trial.drivers.iter().any(|&(_, closing)| !self.says_where(closing));
@@ -900,6 +903,8 @@ impl<'m> Draughtsman<'m> {
     fn polygon_with(&mut self, order: Order, step: &GroupStep, trial: &Trial) {
         let steps = trial_steps(trial, step, self.mechanism);
         self.board.purpose("polygon by trial");
+        // What another group, or another way, has tried is no rate of this one.
+        self.tried_rates.retain(|(of, ..)| *of != order);
         for level in 0..trial.drivers.len() {
             self.find_rate(order, trial, &steps, level);
         }

@@ -14,7 +14,7 @@
 use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Dimension, Order, Quantity};
-use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Target, TrialDriver, Unknown};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -45,7 +45,7 @@ impl Draughtsman<'_> {
         match group.kind {
             GroupKind::Driver { base, input } => match input {
                 Drive::Input(input) => self.velocity_of_driver(step, group.links[0], base, input),
-                Drive::Trial(_) => {
+                Drive::Trial(_) | Drive::With(_) => {
                     let omega = self.driven_rate(Order::Velocity, input);
                     self.set_rate(Order::Velocity, group.links[0], omega);
                     self.step(Order::Velocity, &group.links, Vec::new());
@@ -115,6 +115,22 @@ impl Draughtsman<'_> {
                     None => self.no_amount(Missing::rate_of(order, driver)),
                 }
             }
+            Drive::With(link) => self.known_rate(order, link),
+        }
+    }
+
+    /// ω or ε of a link that is solved, driven or tried, whose own group may be drawn later.
+    fn known_rate(&mut self, order: Order, link: LinkId) -> Amount {
+        let tried = TrialDriver::Turn(link);
+        if self.tried_rates.iter().any(|&(of, driver, _)| (of, driver) == (order, tried)) {
+            return self.driven_rate(order, Drive::Trial(tried));
+        }
+        let driven = self.mechanism.inputs.iter().position(|input| {
+            matches!(*input, Input::Angle { link: of, .. } | Input::Speed { link: of, .. } if of == link)
+        });
+        match driven {
+            Some(input) => self.given_rate(order, input),
+            None => self.rate(order, link),
         }
     }
 

@@ -53,7 +53,8 @@ pub enum GroupKind {
         /// The rod between the pin and the guide, where there is one.
         rod: Option<LinkId>,
     },
-    /// A pin that rides on guides of two solved links, itself or with a link that slides without turning.
+    /// A pin that rides on guides of two solved links, itself or with a link that slides without turning; or a link that
+    /// slides without turning against both, which turn as one, with its first joint.
     Prp {
         /// The pin.
         pin: PointId,

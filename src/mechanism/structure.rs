@@ -28,6 +28,9 @@ pub enum Joint {
     Input(usize),
     /// What is assumed, to try a group that no construction solves at once.
     Trial(TrialDriver),
+    /// It is known of a link how it turns: with another one, because links slide on each other without turning from the
+    /// one to the other; or as it is driven or tried itself, where others turn with it.
+    TurnsWith(LinkId, Drive),
 }
 
 /// What a trial moves.
@@ -46,6 +49,8 @@ pub enum Drive {
     Input(usize),
     /// It is assumed for a trial.
     Trial(TrialDriver),
+    /// It turns with this link, which is solved, driven or tried.
+    With(LinkId),
 }
 
 /// The count of mobility.
@@ -83,7 +88,8 @@ impl fmt::Display for Mobility {
 }
 
 /// How a group of higher class is tried: with one thing driven and one constraint left open (or two and two) it
-/// falls apart into groups that can be constructed; the trial that satisfies what is open is the solution.
+/// falls apart into groups that can be constructed; the trial that satisfies what is open is the solution. Where nothing is
+/// driven it falls apart by itself, since it is known how some of its links turn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Trial {
     /// What is driven by trial, each until the constraint beside it is satisfied.
@@ -429,7 +435,7 @@ impl Structure {
                 continue;
             }
             let way = Trial::ways(mechanism, &held, group).next();
-            let way = way.or_else(|| Trial::ways_by_racks(mechanism, &held, group).next());
+            let way = way.or_else(|| Trial::further_ways(mechanism, &held, group).next());
             if let Some(trial) = way {
                 structure.groups[index].kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -540,8 +546,8 @@ impl Structure {
         let kind = GroupKind::Higher { trial };
         let Some(group) = self.groups.iter().find(|group| group.kind == kind) else { return Vec::new() };
         let held = self.contacts();
-        let by_racks = Trial::ways_by_racks(mechanism, &held, group).take(most);
-        Trial::ways(mechanism, &held, group).take(most).chain(by_racks).collect()
+        let further = Trial::further_ways(mechanism, &held, group).take(most);
+        Trial::ways(mechanism, &held, group).take(most).chain(further).collect()
     }
 
     /// The group that solves a link; `None` for the frame.
@@ -661,7 +667,9 @@ fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
             let [a, b] = roll_ends(&mechanism.rolls[index]);
             format!("the rolling of links {} and {}", mechanism.links[a].number, mechanism.links[b].number)
         }
-        Joint::Trial(TrialDriver::Turn(link)) => format!("the trial angle of link {}", number(link)),
+        Joint::Trial(TrialDriver::Turn(link)) | Joint::TurnsWith(link, _) => {
+            format!("the trial angle of link {}", number(link))
+        }
         Joint::Trial(TrialDriver::Slide(slide)) => name_of(mechanism, Joint::Slide(slide)),
         Joint::Input(index) => match mechanism.inputs[index] {
             Input::Angle { link, .. } | Input::Speed { link, .. } => {
@@ -771,6 +779,7 @@ fn components(game: &Game) -> Vec<usize> {
 fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints: &[Joint]) -> GroupKind {
     let rods: Vec<LinkId> = links.iter().copied().filter(|&l| !mechanism.link(l).block).collect();
     let mut turned = Vec::new();
+    let mut told = Vec::new();
     let mut moved = Vec::new();
     let mut slides = Vec::new();
     let mut rolls = Vec::new();
@@ -793,10 +802,17 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 TrialDriver::Turn(link) => turned.push((link, Drive::Trial(tried))),
                 TrialDriver::Slide(slide) => moved.push((slide, Drive::Trial(tried))),
             },
+            Joint::TurnsWith(link, drive) => {
+                told.push(link);
+                turned.push((link, drive));
+            }
             Joint::Roll(index) => rolls.push(index),
             Joint::Contact(index) => held.push(index),
         }
     }
+    // What rides on a solved link says itself how it turns.
+    let rides = |link: LinkId| slides.iter().any(|&slide| glider(mechanism, &rods, slide) == Some(link));
+    turned.retain(|&(link, _)| !told.contains(&link) || !rides(link));
     if let ([], &[roll], &[rod], &[(_, base)], [], []) = (
         rolls.as_slice(),
         held.as_slice(),
@@ -971,7 +987,13 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                     _ => None,
                 }
             };
-            pair(first, second).or_else(|| pair(second, first)).unwrap_or(GroupKind::Other)
+            let both = [first, second].iter().all(|&slide| glider(mechanism, &rods, slide).is_some());
+            let on_both = mechanism.link(link).points.first().filter(|_| both).map(|&pin| GroupKind::Prp {
+                pin,
+                slides: [first, second],
+                riders: [Some(link); 2],
+            });
+            pair(first, second).or_else(|| pair(second, first)).or(on_both).unwrap_or(GroupKind::Other)
         }
         _ => GroupKind::Other,
     }
@@ -1189,7 +1211,7 @@ impl Trial {
             all
         };
         let falls_apart = |drivers: Vec<(TrialDriver, Closing)>| {
-            let groups = subgroups(mechanism, held, group, &drivers)?;
+            let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
             Some(Self { drivers, groups }).filter(|trial| !trial.drives_a_rack())
         };
         let mut single = pairs.into_iter().filter_map(falls_apart).peekable();
@@ -1220,9 +1242,49 @@ impl Trial {
             .collect();
         pairs.into_iter().filter_map(|pair| {
             let drivers = vec![pair];
-            let groups = subgroups(mechanism, held, group, &drivers)?;
+            let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
             Some(Self { drivers, groups }).filter(Self::drives_a_rack)
         })
+    }
+
+    /// The ways in which links of the group turn with one whose turning is known: with nothing tried, or one thing.
+    fn ways_by_turning<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
+        let mut ways: Vec<Vec<(TrialDriver, Closing)>> = Vec::new();
+        if rides_of(mechanism, group).next().is_some() {
+            let drivers = Self::drivers(mechanism, group);
+            ways.push(Vec::new());
+            for (closing, _) in closings(mechanism, group) {
+                ways.extend(drivers.iter().map(|&(driver, _)| vec![(driver, closing)]));
+            }
+        }
+        ways.into_iter().filter_map(|drivers| {
+            let turning = Turning::of(mechanism, group, &drivers);
+            if turning.links.is_empty() {
+                return None;
+            }
+            let groups = subgroups(mechanism, held, group, &drivers, &turning)?;
+            Some(Self { drivers, groups })
+        })
+    }
+
+    /// The ways that are tried after all others.
+    fn further_ways<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
+        Self::ways_by_racks(mechanism, held, group).chain(Self::ways_by_turning(mechanism, held, group))
+    }
+
+    /// Whether it is known of links how they turn without their being driven, or tried.
+    #[must_use]
+    pub fn knows_turning(&self) -> bool {
+        let joints = self.groups.iter().flat_map(|group| &group.joints);
+        joints.into_iter().any(|joint| matches!(joint, Joint::TurnsWith(..)))
     }
 
     /// Whether a link is driven whose line rolls on a wheel.
@@ -1264,6 +1326,87 @@ impl Trial {
         }
         list
     }
+}
+
+/// The rides among a group's pairs, each with its two links.
+fn rides_of<'a>(
+    mechanism: &'a Mechanism,
+    group: &'a Group,
+) -> impl Iterator<Item = (usize, [LinkId; 2])> + 'a {
+    group.joints.iter().filter_map(|joint| match *joint {
+        Joint::Slide(index) => match mechanism.slides[index] {
+            Slide { rider: Rider::Link { link, .. }, guide } if is_straight(guide) => {
+                Some((index, [link, guide.link]))
+            }
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+/// What is known of a group's turning beforehand: links that slide on each other without turning turn as one.
+#[derive(Debug, Default)]
+struct Turning {
+    /// Links, each with what says how it turns: another one that is solved, driven or tried, or its own driving.
+    links: Vec<(LinkId, Drive)>,
+    /// The rides by which they do so; what these say of turning is said by that.
+    rides: Vec<usize>,
+}
+
+impl Turning {
+    fn of(mechanism: &Mechanism, group: &Group, drivers: &[(TrialDriver, Closing)]) -> Self {
+        let solved = |link: LinkId| !group.links.contains(&link);
+        let own_drive = |link: LinkId| {
+            let driven = group.joints.iter().find_map(|&joint| match joint {
+                Joint::Input(input) if !drivers.iter().any(|&(_, closing)| is_open(closing, joint)) => {
+                    turns(&mechanism.inputs[input], link).then_some(Drive::Input(input))
+                }
+                _ => None,
+            });
+            let tried = TrialDriver::Turn(link);
+            let tried = drivers.iter().any(|&(driver, _)| driver == tried).then_some(Drive::Trial(tried));
+            driven.or(tried)
+        };
+        let mut known: Vec<(LinkId, LinkId)> = Vec::new();
+        for (_, ends) in rides_of(mechanism, group) {
+            for link in ends.into_iter().filter(|&link| solved(link) || own_drive(link).is_some()) {
+                if !known.contains(&(link, link)) {
+                    known.push((link, link));
+                }
+            }
+        }
+        let mut turning = Self::default();
+        loop {
+            let with = |known: &[(LinkId, LinkId)], link: LinkId| {
+                known.iter().find(|(of, _)| *of == link).map(|&(_, with)| with)
+            };
+            let next = rides_of(mechanism, group).find_map(|(ride, [a, b])| {
+                match (with(&known, a), with(&known, b)) {
+                    (Some(with), None) => Some((ride, b, with)),
+                    (None, Some(with)) => Some((ride, a, with)),
+                    _ => None,
+                }
+            });
+            let Some((ride, link, with)) = next else { break };
+            known.push((link, with));
+            turning.rides.push(ride);
+            turning.links.push((link, Drive::With(with)));
+            if let Some(drive) = own_drive(with).filter(|_| !turning.has(with)) {
+                turning.links.push((with, drive));
+            }
+        }
+        turning
+    }
+
+    /// Whether a link is known to turn as one does.
+    fn has(&self, link: LinkId) -> bool {
+        self.links.iter().any(|&(of, _)| of == link)
+    }
+}
+
+/// Whether an input turns a link.
+fn turns(input: &Input, driven: LinkId) -> bool {
+    matches!(*input, Input::Angle { link, .. } | Input::Speed { link, .. } if link == driven)
 }
 
 /// The constraints of a group that a trial may leave open, and how good they are: those to solved links first.
@@ -1367,22 +1510,33 @@ fn is_open(closing: Closing, joint: Joint) -> bool {
     }
 }
 
-/// The groups into which a group falls with its trial drivers driven and as many constraints open, if all of them
-/// can be constructed.
+/// The groups into which a group falls with its trial drivers driven and as many constraints open, and with what is known
+/// of its turning, if all of them can be constructed.
 fn subgroups(
     mechanism: &Mechanism,
     contacts: &[usize],
     group: &Group,
     drivers: &[(TrialDriver, Closing)],
+    turning: &Turning,
 ) -> Option<Vec<Group>> {
     let nodes = Nodes::of(mechanism);
     let mut game = Game::new(&nodes);
     let open = |joint: Joint| drivers.iter().any(|&(_, closing)| is_open(closing, joint));
     for (joint, ends, count) in constraints(mechanism, &nodes) {
-        for _ in 0..count {
+        let told = matches!(joint, Joint::Slide(slide) if turning.rides.contains(&slide));
+        for _ in usize::from(told)..count {
             if !open(joint) && !game.insert(ends, joint) {
                 return None;
             }
+        }
+    }
+    for &(link, drive) in &turning.links {
+        let from = match drive {
+            Drive::With(with) if !group.links.contains(&with) => with.0,
+            _ => FRAME,
+        };
+        if !game.insert([from, link.0], Joint::TurnsWith(link, drive)) {
+            return None;
         }
     }
     for &roll in contacts {
@@ -1393,7 +1547,8 @@ fn subgroups(
     }
     for (index, input) in mechanism.inputs.iter().enumerate() {
         let ends = input_ends(mechanism, &nodes, input);
-        if !open(Joint::Input(index)) && !game.insert(ends, Joint::Input(index)) {
+        let told = turning.links.iter().any(|&(_, drive)| drive == Drive::Input(index));
+        if !open(Joint::Input(index)) && !told && !game.insert(ends, Joint::Input(index)) {
             return None;
         }
     }
@@ -1420,6 +1575,8 @@ fn subgroups(
             return None;
         }
         let ends = match driver {
+            TrialDriver::Turn(link) if turning.links.contains(&(link, Drive::Trial(driver))) => continue,
+            TrialDriver::Turn(link) if turning.has(link) => return None,
             TrialDriver::Turn(link) => [FRAME, link.0],
             TrialDriver::Slide(slide) => slide_ends(mechanism, &nodes, slide),
         };

@@ -13,6 +13,10 @@ use super::super::draughtsman::Draughtsman;
 use super::sought::TRIAL;
 use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
 
+/// What keeps a link from turning acts by the guides of others.
+const KNOWN_TURNING: &str =
+    "this version has no balance of forces for a group whose links are kept from turning by each other";
+
 /// The balance of a group of higher class.
 pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balance: &mut Balance) {
     if let Some(legs) = d.triad(group) {
@@ -28,6 +32,10 @@ pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balan
         return;
     }
     let trial = d.trial(index);
+    if trial.knows_turning() {
+        balance.refused = Some(KNOWN_TURNING);
+        return;
+    }
     let drivers: Vec<TrialDriver> = trial.drivers.iter().map(|(driver, _)| *driver).collect();
     let rest = d.rest();
     let unit = d.board.amount(Given::exact(TRIAL));
@@ -233,6 +241,7 @@ impl Balance {
         match input {
             Drive::Input(input) => self.efforts.push((Sought::Effort(input), size)),
             Drive::Trial(driver) => self.held.push((driver, size)),
+            Drive::With(_) => self.refused = Some(KNOWN_TURNING),
         }
     }
 }
