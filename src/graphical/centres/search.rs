@@ -45,6 +45,10 @@ pub(super) struct Atlas {
 /// numbers still tell, then any.
 const FLATTEST: [f64; 3] = [0.05, 1e-6, 0.0];
 
+/// Of those the ones that tell where lines cross. Lines that differ by less are one line, but for rounding: a longer way is
+/// better than a point of that.
+const TELLING: &[f64] = FLATTEST.split_at(2).0;
+
 /// Up to so many wanted centres the shortest way is sought among all; for more, nearly every chord is wanted.
 const FEW: usize = 4;
 
@@ -151,11 +155,14 @@ impl Atlas {
         let left = Cell::new(ALL_LOOKS);
         let mut all = Vec::new();
         while !goals.is_empty() {
-            let near = |length: usize| {
-                goals.iter().find_map(|goal| self.way(places, &known, &[*goal], length, &left))
+            let near = |length: usize, flattest: &[f64]| {
+                goals.iter().find_map(|goal| self.way(places, &known, &[*goal], (length, flattest), &left))
             };
             // Where no way is short enough to be sought, the next chord by number.
-            let way = (1..=LONGEST).find_map(near).or_else(|| self.next(&known).map(|(next, _)| vec![next]));
+            let way = (1..=LONGEST)
+                .find_map(|length| near(length, TELLING))
+                .or_else(|| (1..=LONGEST).find_map(|length| near(length, &FLATTEST)))
+                .or_else(|| self.next(&known).map(|(next, _)| vec![next]));
             let Some(way) = way else { break };
             for derivation in way {
                 if let Some(at) = places.get(&derivation.chord) {
@@ -170,9 +177,11 @@ impl Atlas {
 
     /// The fewest derivations that lead to the goals.
     fn shortest(&self, places: &BTreeMap<Chord, [f64; 3]>, goals: &[Chord]) -> Option<Vec<Derivation>> {
-        let left = Cell::new(ALL_LOOKS);
-        (goals.len()..=LONGEST.max(goals.len()))
-            .find_map(|length| self.way(places, &self.points, goals, length, &left))
+        [TELLING, &FLATTEST].into_iter().find_map(|flattest| {
+            let left = Cell::new(ALL_LOOKS);
+            (goals.len()..=LONGEST.max(goals.len()))
+                .find_map(|length| self.way(places, &self.points, goals, (length, flattest), &left))
+        })
     }
 
     /// A way of this length to the goals, as long as looks are left; with flat crossings only where there is none without.
@@ -181,10 +190,10 @@ impl Atlas {
         places: &BTreeMap<Chord, [f64; 3]>,
         known: &BTreeMap<Chord, [f64; 3]>,
         goals: &[Chord],
-        length: usize,
+        (length, flattest): (usize, &[f64]),
         left: &Cell<usize>,
     ) -> Option<Vec<Derivation>> {
-        FLATTEST.into_iter().find_map(|flattest| {
+        flattest.iter().find_map(|&flattest| {
             let mut hunt = Hunt {
                 atlas: self,
                 places,
