@@ -422,3 +422,66 @@ fn a_driven_bar_with_an_end_on_a_riding_link() {
         near_to(drawn.vector("a(A)").0[0], acceleration);
     }
 }
+
+/// ω of a four-bar's cranks from that of its driven coupler: V_B = V_A + V_BA across each crank in turn (what a crank's own
+/// end has along the crank is none). The sheet draws that triangle, and tries nothing at any order.
+#[test]
+fn a_driven_coupler_needs_one_triangle() {
+    use linkgram::graphical::construction::Act;
+    let four_bar = |near: &str| {
+        format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": [110, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A", "C"], "line": [0, 40, 55] }}, "3": {{ "joins": ["A", "B", "D"], "line": [0, 120, 50] }},
+                        "4": {{ "joins": ["O4", "B"], "length": 80 }} }},
+            "near": {{ {near} }}, "input": {{ "link": 3, "angle": 24, "omega": 3, "alpha": 2 }},
+            "find": ["omega(2)", "omega(4)", "alpha(2)", "alpha(4)", "x(A)", "x(B)", "v(C)", "a(C)", "v(D)", "a(D)", "an(B/A)", "at(A/B)"] }}"#
+        )
+    };
+    // A hint for one pin, for both, for a further point of the coupler or of a crank.
+    for near in [
+        r#""A": [20, 35]"#,
+        r#""B": [125, 80]"#,
+        r#""A": [20, 35], "B": [125, 80]"#,
+        r#""D": [77, 55]"#,
+        r#""C": [35, 43]"#,
+    ] {
+        let drawn = confirmed(&four_bar(near));
+        let ([ax, ay], [bx, by]) = (drawn.vector("x(A)").0, drawn.vector("x(B)").0);
+        let (second, third, fourth) =
+            (libm::atan2(ay, ax), libm::atan2(by - ay, bx - ax), libm::atan2(by, bx - 110.0));
+        near_enough(third, 24.0 * PI / 180.0);
+        let omega = |of: f64, length: f64, other: f64, sense: f64| {
+            sense * 3.0 * 120.0 * libm::sin(third - other) / (length * libm::sin(of - other))
+        };
+        near_enough(drawn.scalar("omega(2)").0, omega(second, 40.0, fourth, -1.0));
+        near_enough(drawn.scalar("omega(4)").0, omega(fourth, 80.0, second, 1.0));
+        let acts = drawn.solution.construction.steps.iter().flat_map(|step| &step.acts);
+        let tried = acts.filter(|act| {
+            matches!(act, Act::TryPosition { .. } | Act::TryPolygon { .. } | Act::TrialRate { .. })
+        });
+        assert_eq!(tried.count(), 0, "{near}");
+    }
+}
+
+/// The rod of a slider-crank is driven; under load with friction both solvers find the same forces.
+#[test]
+fn a_driven_rod_carries_loads() {
+    for rubs in [
+        "",
+        r#", "pins": { "O2": { "radius": 5, "f": 0.1 }, "A": { "radius": 5, "f": 0.1 }, "B": { "radius": 5, "f": 0.1 } }"#,
+    ] {
+        let drawn = confirmed(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 40 }}, "3": {{ "joins": ["A", "B"], "length": 120 }} }},
+            "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }} ], "near": {{ "B": [130, 0] }},
+            "input": {{ "link": 3, "angle": -15, "omega": 3, "alpha": 5 }}, "gravity": {{}},
+            "masses": {{ "2": {{ "mass": 1, "at": [20, 0], "inertia": 0.001 }}, "3": {{ "mass": 2, "at": [60, 0], "inertia": 0.01 }}, "4": {{ "mass": 1.5 }} }},
+            "loads": [ {{ "on": 4, "at": "B", "force": [-100, 0] }}, {{ "on": 2, "torque": "0.5 N*m" }} ]{rubs},
+            "find": ["T(3)", "F(2,3)", "F(3,4)", "F(1,2)", "F(1,4)", "v(B)", "omega(2)", "alpha(2)"] }}"#
+        ));
+        // B stays at its height: 40 sin θ₂ = 120 sin 15°, and so do its derivatives.
+        let rod = PI / 12.0;
+        let crank = libm::asin(120.0 * libm::sin(rod) / 40.0);
+        near_enough(drawn.scalar("omega(2)").0, -3.0 * 120.0 * libm::cos(rod) / (40.0 * libm::cos(crank)));
+    }
+}

@@ -304,6 +304,7 @@ fn links_that_slide_without_turning_are_known_either_way_round() {
         ("rack", &[("driver", &[2]), ("rack", &[3])]),
         ("driven-wheel", &[("driven wheel", &[2]), ("RRP", &[3, 4])]),
         ("trammel-driven-by-bar", &[("driven bar", &[2, 3, 4])]),
+        ("coupler-driven", &[("driven bar", &[2, 3, 4])]),
     ];
     for (name, expected) in kinds {
         assert_eq!(groups(&common::example(&format!("pairs/{name}"))), named(expected), "{name}");

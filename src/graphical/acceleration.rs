@@ -574,9 +574,20 @@ impl Draughtsman<'_> {
 
     /// Aⁿ = ω² l and Aᵗ = ε l about a point whose image is known.
     pub(super) fn acceleration_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
+        self.acceleration_about_from(link, base, point, 1)
+    }
+
+    /// The same where the point has a foot already: feet count from `index`.
+    pub(super) fn acceleration_about_from(
+        &mut self,
+        link: LinkId,
+        base: PointId,
+        point: PointId,
+        index: u8,
+    ) -> Point {
         let scale = self.polygon_scale(Order::Acceleration);
         let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
-        let label = Label::Foot { point, link: foot_of, index: 1 };
+        let label = Label::Foot { point, link: foot_of, index };
         let foot = self.lay_off_normal(link, point, base, label);
         let alpha = self.rate(Order::Acceleration, link);
         let length = self.length_to(link, base, point);

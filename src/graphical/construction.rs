@@ -1138,6 +1138,26 @@ pub enum Act {
         /// Radius in metres.
         radius: f64,
     },
+    /// From the pin of a rod lay off a line of a driven link, equal and parallel.
+    LayOffShift {
+        /// The pin.
+        base: PointId,
+        /// The points of the link between which the line runs.
+        line: [PointId; 2],
+        /// Angle from +x in radians.
+        angle: f64,
+        /// Length in metres.
+        length: f64,
+    },
+    /// About the end of what was laid off so strike the rod's arc.
+    StrikeArcThere {
+        /// The rod's ends: its length is the radius.
+        ends: [PointId; 2],
+        /// The point that lies on the arc.
+        point: PointId,
+        /// Radius in metres.
+        radius: f64,
+    },
     /// Draw the path of a rolling wheel's centre: the parallel to the line on which it rolls, or the circle about the other
     /// wheel's centre.
     DrawCentrePath {

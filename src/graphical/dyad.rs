@@ -191,6 +191,14 @@ impl Draughtsman<'_> {
                 self.take_back_act();
                 (route.foot, route.ray.along, route.claim)
             }
+            (Hold::Rod { rod, base }, _) => {
+                let route = match order {
+                    Order::Acceleration => self.acceleration_arm(rod, base, other, 1),
+                    _ => self.velocity_arm(rod, base, other),
+                };
+                self.take_back_act();
+                (route.foot, route.ray.along, route.claim)
+            }
         };
         let foot = self.lay_off_turn(order, link, [other, pin], start, (index, None));
         self.act(Act::DrawRay { from: foot.0, claim });
@@ -272,14 +280,42 @@ impl Draughtsman<'_> {
                 let image = self.image_under(order, pin, link);
                 (Target::Under(pin, link), (self.label_under(pin, link), image))
             } else {
-                let image = self.image_about(order, link, point, pin);
+                let image = match (hold, order) {
+                    // Its first foot is the end of the rod's own part.
+                    (Hold::Rod { .. }, Order::Acceleration) => {
+                        self.acceleration_about_from(link, point, pin, 2)
+                    }
+                    _ => self.image_about(order, link, point, pin),
+                };
                 let image = self.note_image(order, pin, image);
+                if let Hold::Rod { rod, base } = hold {
+                    self.read_rod(order, (rod, base), pin, image);
+                    continue;
+                }
                 self.absolute_of(order, pin, image);
                 (Target::Pin(pin), (self.label(pin), image))
             };
             let loud = !std::mem::replace(&mut self.silent, true);
             self.read_closing(order, hold.unknown(back, pin), target, head);
             self.silent = !loud;
+        }
+    }
+
+    /// Reads how the rod at another pin of a driven link turns, along the line that its image lies on; the parts of it that
+    /// are known were laid off on the way to the first pin.
+    fn read_rod(&mut self, order: Order, (rod, base): (LinkId, PointId), pin: PointId, image: Point) {
+        let label = self.label(pin);
+        let turn = Unknown::Turn { link: rod, base, to: pin };
+        let target = Target::Pin(pin);
+        let loud = !std::mem::replace(&mut self.silent, true);
+        let route = self.route(order, turn, target, &mut 1);
+        self.silent = !loud;
+        let [along, _] = self.board.square_off(route.ray, image);
+        let along = if self.departures.is_empty() { along } else { self.length_along(&route, image, along) };
+        self.read_route(order, &route, target, (label, image), along);
+        self.absolute_of(order, pin, image);
+        if order == Order::Acceleration && !self.mechanism.is_fixed(base) {
+            self.whole_acceleration(pin, base, image);
         }
     }
 

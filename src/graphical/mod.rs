@@ -474,7 +474,8 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         .groups
         .iter()
         .filter_map(|g| match g.kind {
-            GroupKind::Driver { input: Drive::Input(input), .. } => Some(input),
+            GroupKind::Driver { input: Drive::Input(input), .. }
+            | GroupKind::DrivenBar { input: Drive::Input(input), .. } => Some(input),
             _ => None,
         })
         .collect();

@@ -743,13 +743,18 @@ impl Draughtsman<'_> {
         })
     }
 
-    /// A driven link that two sliding pairs hold: each of them is a track of one of its points, by the link's own
-    /// lengths and its direction.
+    /// A driven link that two pairs hold: each of them is a track of one of its points, by the link's own lengths and its
+    /// direction.
     fn driven_bar(&mut self, step: &GroupStep, kind: GroupKind) -> Result<(), DrawError> {
         let GroupKind::DrivenBar { link, point, pins, holds, riders, under, input } = kind else {
             return Ok(());
         };
         self.board.purpose("driven link on two guides");
+        let rods: Vec<(LinkId, PointId, PointId)> =
+            (0..2).filter_map(|i| holds[i].rod().map(|(rod, base)| (rod, base, pins[i]))).collect();
+        if !rods.is_empty() && self.bar_by_places(step, (link, &rods), riders) {
+            return Ok(());
+        }
         for slide in holds.into_iter().filter_map(Hold::slide) {
             self.act(Act::DrawGuide { slide });
         }
@@ -759,46 +764,64 @@ impl Draughtsman<'_> {
         if self.prick_given(point) {
             self.act(Act::MarkPlaces);
         } else {
-            let &[Some(first), Some(second)] = &holds.map(Hold::slide) else {
-                // Where rolling holds it, its place is given.
-                return Err(DrawError::NotPlaced { point });
-            };
-            let slides = [first, second];
             let mut tracks = Vec::new();
             for i in 0..2 {
                 // The track of what the pair holds, and where that lies in the link's own figure.
-                let (held, track) = if under[i] {
-                    let at = self.at(pins[i]);
-                    match self.own_track(slides[i], Some(pins[i])) {
-                        Track::Straight(line) => {
-                            let along = self.turned_with(line.along, own_along, along);
-                            (line.through, Track::Straight(Line { through: at, along }))
-                        }
-                        Track::Arc(arc) => {
-                            (arc.centre, Track::Arc(Circle { centre: at, radius: arc.radius }))
+                let (held, track) = match holds[i] {
+                    // Where rolling holds it, its place is given.
+                    Hold::Contact { .. } => return Err(DrawError::NotPlaced { point }),
+                    Hold::Slide(slide) if under[i] => {
+                        let at = self.at(pins[i]);
+                        match self.own_track(slide, Some(pins[i])) {
+                            Track::Straight(line) => {
+                                let along = self.turned_with(line.along, own_along, along);
+                                (line.through, Track::Straight(Line { through: at, along }))
+                            }
+                            Track::Arc(arc) => {
+                                (arc.centre, Track::Arc(Circle { centre: at, radius: arc.radius }))
+                            }
                         }
                     }
-                } else {
-                    let track = self.riding_track(slides[i], riders[i], pins[i]);
-                    if pins[i] == point {
-                        tracks.push(track);
-                        continue;
+                    Hold::Slide(slide) => {
+                        let track = self.riding_track(slide, riders[i], pins[i]);
+                        (self.own(link, pins[i]), track)
                     }
-                    (self.own(link, pins[i]), track)
+                    Hold::Rod { rod, base } => {
+                        let circle = self.circle((rod, base), pins[i]);
+                        (self.own(link, pins[i]), Track::Arc(circle))
+                    }
                 };
+                if pins[i] == point && !under[i] {
+                    if let (Track::Arc(circle), Some((_, base))) = (track, holds[i].rod()) {
+                        let radius = circle.radius.value() * self.scales.length();
+                        self.act(Act::StrikeArc { centre: base, to: point, radius });
+                    }
+                    tracks.push(track);
+                    continue;
+                }
                 let from = match track {
                     Track::Straight(line) => line.through,
                     Track::Arc(arc) => arc.centre,
                 };
                 self.poses[link.0] = pose(held, from);
                 let through = self.carried_point(link, own_point);
+                if let (Track::Arc(circle), Some((_, base))) = (track, holds[i].rod()) {
+                    self.strike_shifted(base, [pins[i], point], circle, through);
+                }
                 tracks.push(match track {
                     Track::Straight(line) => Track::Straight(Line { through, along: line.along }),
                     Track::Arc(arc) => Track::Arc(Circle { centre: through, radius: arc.radius }),
                 });
             }
-            if let [first, second] = tracks[..] {
-                self.meet_tracks([first, second], point, slides)?;
+            match (&tracks[..], holds.map(Hold::slide)) {
+                (&[first, second], [Some(one), Some(other)]) => {
+                    self.meet_tracks([first, second], point, [one, other])?;
+                }
+                (&[first, second], _) => {
+                    let pose = |anchor| Pose { own_anchor: own_point, anchor, own_along, along };
+                    self.meet_rods([first, second], (link, point), &rods, pose)?;
+                }
+                _ => {}
             }
         }
         self.poses[link.0] = pose(own_point, self.at(point));
@@ -816,9 +839,164 @@ impl Draughtsman<'_> {
             match hold {
                 Hold::Slide(slide) => self.ride_along(step, slide, rider, pin),
                 Hold::Contact { roll, wheel } => self.contact(wheel, roll),
+                Hold::Rod { rod, base } => self.transfer_points(step, &[(rod, base)], pin),
             }
         }
         Ok(())
+    }
+
+    /// Lays on a driven link and its rods where given places tell how each of them stands; says whether they do.
+    fn bar_by_places(
+        &mut self,
+        step: &GroupStep,
+        (link, rods): (LinkId, &[(LinkId, PointId, PointId)]),
+        riders: [Option<LinkId>; 2],
+    ) -> bool {
+        let arms = rods.iter().map(|&(rod, ..)| rod);
+        let links: Vec<LinkId> = [link].into_iter().chain(arms).chain(riders.into_iter().flatten()).collect();
+        let mut points: Vec<PointId> = Vec::new();
+        for point in links.iter().flat_map(|&link| &self.mechanism.link(link).points) {
+            if !self.mechanism.is_fixed(*point) && !points.contains(point) {
+                points.push(*point);
+            }
+        }
+        if !points.iter().any(|&p| self.is_given(p)) || !self.lay_on_by_places(links, &points, step) {
+            return false;
+        }
+        self.act(Act::MarkPlaces);
+        true
+    }
+
+    /// The arc on which one pin of a driven link lies, shifted by the link's own line to another pin: what holds the one
+    /// holds the other there.
+    fn strike_shifted(&mut self, base: PointId, [from, to]: [PointId; 2], circle: Circle, centre: Point) {
+        let [x, y] = self.board.between(circle.centre, centre).map(|d| d.value());
+        let per_mm = self.scales.length();
+        let (angle, length) = (libm::atan2(y, x), libm::hypot(x, y) * per_mm);
+        self.act(Act::LayOffShift { base, line: [from, to], angle, length });
+        let radius = circle.radius.value() * per_mm;
+        self.act(Act::StrikeArcThere { ends: [base, from], point: to, radius });
+        let claim = Claim::Parallel(Reference::Points(from, to));
+        let step = self.step_index();
+        let (from, to) = (circle.centre.value(), centre.value());
+        self.space_line(ConstructionLine::Ray { from, to, claim: Some(claim), step });
+    }
+
+    /// Where the tracks of a driven link's first pin meet, one of which at least is an arc. Hints for the joints choose;
+    /// where they are silent, those for further points of the links.
+    fn meet_rods(
+        &mut self,
+        tracks: [Track; 2],
+        (link, point): (LinkId, PointId),
+        rods: &[(LinkId, PointId, PointId)],
+        pose: impl Fn(Point) -> Pose,
+    ) -> Result<(), DrawError> {
+        let links: Vec<LinkId> = [link].into_iter().chain(rods.iter().map(|&(rod, ..)| rod)).collect();
+        let reason = self.reason(&links);
+        let per_mm = self.scales.length();
+        let ([Track::Arc(arc), other] | [other, Track::Arc(arc)]) = tracks else {
+            return Err(DrawError::NoConstruction { links });
+        };
+        let name = |d: &Self, base: PointId| d.mechanism.point(base).name.clone();
+        let first = match *rods {
+            [(_, base, _), ..] => (name(self, base), arc.radius.value() * per_mm),
+            [] => return Err(DrawError::NoConstruction { links }),
+        };
+        let (met, second, distance) = match other {
+            Track::Straight(line) => {
+                let [_, across] = self.board.square_off(line, arc.centre);
+                let met = self.board.meet_line_circle(line, arc, reason);
+                (met, (String::new(), None), across.value().abs())
+            }
+            Track::Arc(circle) => {
+                let [dx, dy] = self.board.between(arc.centre, circle.centre).map(|d| d.value());
+                let met = self.board.meet_circles(arc, circle, reason);
+                let about = match *rods {
+                    [_, (_, base, _), ..] => name(self, base),
+                    _ => "centre of the guide-".to_owned(),
+                };
+                (met, (about, Some(circle.radius.value() * per_mm)), libm::hypot(dx, dy))
+            }
+        };
+        let pair = met.map_err(|_| DrawError::CannotAssemble {
+            pin: point,
+            why: Box::new(Misfit { first, second, pin: name(self, point), distance: distance * per_mm }),
+            range: None,
+        })?;
+        let mut side = if pair.tangent {
+            Side::First
+        } else {
+            let poses = [Side::First, Side::Second].map(|side| pose(self.board.take(pair, side)));
+            self.choose_bar(link, poses, point, rods)?
+        };
+        if self.takes_other_side(point) {
+            side = side.other();
+        }
+        self.chosen(usize::from(side == Side::Second));
+        let taken = self.board.take(pair, side);
+        self.place(point, taken);
+        self.act(Act::MarkIntersection { point, crossing: pair.crossing });
+        let (at, step) = (taken.value(), self.step_index());
+        for track in tracks {
+            if let Track::Arc(circle) = track {
+                let (centre, radius) = (circle.centre.value(), circle.radius.value());
+                self.space_line(ConstructionLine::Arc { centre, radius, at, step });
+            }
+        }
+        Ok(())
+    }
+
+    /// Which of two poses of a driven link the hints choose: those for the pins of its rods first.
+    fn choose_bar(
+        &mut self,
+        link: LinkId,
+        poses: [Pose; 2],
+        point: PointId,
+        rods: &[(LinkId, PointId, PointId)],
+    ) -> Result<Side, DrawError> {
+        if let Some(side) = self.prescribed_side() {
+            return Ok(side);
+        }
+        let per_mm = self.scales.length();
+        let chosen = |score: [f64; 2]| match score {
+            [a, b] if chooses(a, b, per_mm) => Some(Side::First),
+            [a, b] if chooses(b, a, per_mm) => Some(Side::Second),
+            _ => None,
+        };
+        let before = self.poses[link.0];
+        let mut joints = [0.0; 2];
+        let mut beside = [0.0; 2];
+        let mut shown = [[0.0; 2]; 2];
+        for (i, pose) in poses.into_iter().enumerate() {
+            self.poses[link.0] = Some(pose);
+            let main: Vec<PointId> = [point].into_iter().chain(rods.iter().map(|&(.., pin)| pin)).collect();
+            let own = self.mechanism.link(link).points.clone();
+            for p in own {
+                let own = self.own(link, p);
+                let at = self.carried_point(link, own).value();
+                if let Some(miss) = self.miss_of_hint(p, at) {
+                    if main.contains(&p) { joints[i] += miss } else { beside[i] += miss }
+                }
+                if p == point {
+                    let origin = self.origin_of_space().map(|g| g.value);
+                    shown[i] = [0, 1].map(|k| origin[k] + at[k] * per_mm);
+                }
+            }
+            for &(rod, base, pin) in rods {
+                let own = self.own(link, pin);
+                let ends = ((base, self.at(base)), (pin, self.carried_point(link, own)));
+                for p in self.mechanism.link(rod).points.clone() {
+                    if p == base || p == pin || self.hint_of(p).is_none() {
+                        continue;
+                    }
+                    let at = self.corner(rod, ends.0, ends.1, p).value();
+                    beside[i] += self.miss_of_hint(p, at).into_iter().sum::<f64>();
+                }
+            }
+        }
+        self.poses[link.0] = before;
+        let [first, second] = shown;
+        chosen(joints).or_else(|| chosen(beside)).ok_or(DrawError::Ambiguous { pin: point, first, second })
     }
 
     /// A direction of a figure turned as another one of it is turned.

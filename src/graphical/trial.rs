@@ -310,7 +310,39 @@ impl<'m> Draughtsman<'m> {
     /// whether they do, and leaves the skeleton as it was where they do not.
     fn stand_by_places(&mut self, trial: &Trial, step: &GroupStep) -> bool {
         let of_group = trial.groups.iter().flat_map(|group| &group.links).copied().chain(closing_rods(trial));
-        let mut waiting: Vec<LinkId> = of_group.filter(|&l| !self.mechanism.link(l).block).collect();
+        let links: Vec<LinkId> = of_group.collect();
+        let points = self.points_of(trial);
+        if !self.lay_on_by_places(links, &points, step) {
+            return false;
+        }
+        self.act(Act::MarkPlaces);
+        let joints = trial.groups.iter().flat_map(|group| &group.joints);
+        let rolls = joints.filter_map(|joint| match *joint {
+            Joint::Roll(roll) | Joint::Contact(roll) => Some(roll),
+            _ => None,
+        });
+        let open = trial.drivers.iter().filter_map(|&(_, closing)| match closing {
+            Closing::Roll { roll } | Closing::Contact { roll, .. } => Some(roll),
+            _ => None,
+        });
+        let mut rolls: Vec<usize> = rolls.chain(open).collect();
+        rolls.sort_unstable();
+        rolls.dedup();
+        for roll in rolls {
+            let [body, _] = self.mechanism.rolls[roll].bodies();
+            self.contact(body, roll);
+        }
+        true
+    }
+
+    /// The same of these links and points; says nothing of contacts.
+    pub(super) fn lay_on_by_places(
+        &mut self,
+        links: Vec<LinkId>,
+        all_points: &[PointId],
+        step: &GroupStep,
+    ) -> bool {
+        let mut waiting: Vec<LinkId> = links.into_iter().filter(|&l| !self.mechanism.link(l).block).collect();
         let before = (self.places.clone(), self.poses.clone());
         loop {
             let count = waiting.len();
@@ -329,37 +361,19 @@ impl<'m> Draughtsman<'m> {
             if waiting.len() < count {
                 continue;
             }
-            let points = self.points_of(trial);
             let loud = !std::mem::replace(&mut self.silent, true);
-            let found = self.place_by_loci(&points);
+            let found = self.place_by_loci(all_points);
             self.silent = !loud;
             if !matches!(found, Ok(true)) {
                 (self.places, self.poses) = before;
                 return false;
             }
         }
-        for point in self.points_of(trial) {
+        for &point in all_points {
             if self.places[point.0].is_none() && !self.prick_given(point) {
                 (self.places, self.poses) = before;
                 return false;
             }
-        }
-        self.act(Act::MarkPlaces);
-        let joints = trial.groups.iter().flat_map(|group| &group.joints);
-        let rolls = joints.filter_map(|joint| match *joint {
-            Joint::Roll(roll) | Joint::Contact(roll) => Some(roll),
-            _ => None,
-        });
-        let open = trial.drivers.iter().filter_map(|&(_, closing)| match closing {
-            Closing::Roll { roll } | Closing::Contact { roll, .. } => Some(roll),
-            _ => None,
-        });
-        let mut rolls: Vec<usize> = rolls.chain(open).collect();
-        rolls.sort_unstable();
-        rolls.dedup();
-        for roll in rolls {
-            let [body, _] = self.mechanism.rolls[roll].bodies();
-            self.contact(body, roll);
         }
         true
     }

@@ -119,7 +119,8 @@ pub enum GroupKind {
     },
     /// A driven link that two pairs hold: its pins ride on guides of solved links, themselves or with links that slide
     /// without turning (trammel driven by its bar); or it carries guides for pins of solved links; or a centre or a
-    /// line of it is held against a solved body.
+    /// line of it is held against a solved body; or its pins are those of rods on solved links (a four-bar driven by its
+    /// coupler).
     DrivenBar {
         /// The link.
         link: LinkId,
@@ -225,6 +226,13 @@ pub enum Hold {
         /// The wheel about that centre.
         wheel: LinkId,
     },
+    /// A rod between it and a solved link.
+    Rod {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+    },
 }
 
 impl Hold {
@@ -233,7 +241,16 @@ impl Hold {
     pub const fn slide(self) -> Option<usize> {
         match self {
             Self::Slide(slide) => Some(slide),
-            Self::Contact { .. } => None,
+            Self::Contact { .. } | Self::Rod { .. } => None,
+        }
+    }
+
+    /// The rod and its pin on a solved link, where it is one.
+    #[must_use]
+    pub const fn rod(self) -> Option<(LinkId, PointId)> {
+        match self {
+            Self::Rod { rod, base } => Some((rod, base)),
+            Self::Slide(_) | Self::Contact { .. } => None,
         }
     }
 
@@ -243,6 +260,7 @@ impl Hold {
         match self {
             Self::Slide(slide) => Unknown::Slide { slide, back },
             Self::Contact { roll, wheel } => Unknown::Roll { roll, wheel, centre: pin, back },
+            Self::Rod { rod, base } => Unknown::Turn { link: rod, base, to: pin },
         }
     }
 }
@@ -473,7 +491,13 @@ impl GroupKind {
             | Self::DrivenRack { centre: base, .. } => vec![base],
             Self::Rrr { bases, .. } => bases.to_vec(),
             Self::Rpr { base, pin, .. } => vec![base, pin],
-            Self::DrivenBar { pins, under, .. } => (0..2).filter(|&i| under[i]).map(|i| pins[i]).collect(),
+            Self::DrivenBar { pins, holds, under, .. } => {
+                let base = |i: usize| match holds[i] {
+                    Hold::Rod { base, .. } => Some(base),
+                    _ => under[i].then_some(pins[i]),
+                };
+                (0..2).filter_map(base).collect()
+            }
             Self::Prp { .. }
             | Self::Rack { .. }
             | Self::RidingCentre { .. }
@@ -527,9 +551,10 @@ impl GroupKind {
                 Some(Lead::Riding(mechanism.contacts[roll]))
             }
             Self::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(Lead::Riding(pin)),
-            Self::DrivenBar { pins, riders, .. } => {
-                (0..2).find(|&i| riders[i] == Some(link)).map(|i| Lead::Riding(pins[i]))
-            }
+            Self::DrivenBar { pins, holds, riders, .. } => (0..2).find_map(|i| match holds[i] {
+                Hold::Rod { rod, base } => (rod == link).then_some(Lead::Image(base, pins[i])),
+                _ => (riders[i] == Some(link)).then_some(Lead::Riding(pins[i])),
+            }),
             _ => None,
         };
         // A link that turns: between its base and the pin where that is its own, else about its base.

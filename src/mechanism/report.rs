@@ -334,6 +334,9 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::DrivenSlide { .. }
         | GroupKind::DrivenWheel { .. }
         | GroupKind::DrivenRack { .. } => (1, 1),
+        GroupKind::DrivenBar { holds, .. } if holds.iter().any(|hold| hold.rod().is_some()) => {
+            contour(mechanism, group)
+        }
         GroupKind::DrivenBar { .. } => (1, 2),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }

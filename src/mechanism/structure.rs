@@ -877,6 +877,18 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     if !rolls.is_empty() || !held.is_empty() {
         return GroupKind::Other;
     }
+    if let (&[(link, input @ Drive::Input(_))], [], false) =
+        (turned.as_slice(), moved.as_slice(), outer.is_empty())
+        && outer.iter().all(|&(rod, _)| rod != link)
+    {
+        // A guide first: then it is the arc about the rod's pin that is struck elsewhere.
+        let rods_of = outer.iter().map(|&(rod, base)| Hold::Rod { rod, base });
+        let holds: Vec<Hold> = slides.iter().map(|&slide| Hold::Slide(slide)).chain(rods_of).collect();
+        return match holds.as_slice() {
+            &[first, second] => driven_bar(mechanism, &rods, points, [first, second], (link, input)),
+            _ => GroupKind::Other,
+        };
+    }
     match (turned.as_slice(), moved.as_slice()) {
         ([], []) => {}
         (&[(_, input)], []) => {
@@ -1090,17 +1102,25 @@ fn driven_bar(
             _ => carried_centre(mechanism, link, roll)
                 .map(|(wheel, centre)| (Hold::Contact { roll, wheel }, centre, None, false)),
         },
+        Hold::Rod { rod, .. } => {
+            let shared = |p: &PointId| mechanism.point(*p).links.contains(&rod) && on_bar(*p);
+            points.iter().copied().find(shared).map(|pin| (hold, pin, None, false))
+        }
     };
     let (Some(first), Some(second)) = (hold(holds[0]), hold(holds[1])) else { return GroupKind::Other };
     let [first, second] = if first.3 && !second.3 { [second, first] } else { [first, second] };
     let found = if first.3 { mechanism.link(link).points.first().copied() } else { Some(first.1) };
     let own = |point: &PointId| [first, second].iter().any(|hold| !hold.3 && hold.1 == *point);
     let riders = [first.2, second.2];
+    let arms = holds.into_iter().filter(|hold| hold.rod().is_some()).count();
+    if arms > 0 && (first.3 || second.3) {
+        return GroupKind::Other;
+    }
     match found {
         Some(point)
             if (first.1 != second.1 || first.3 != second.3)
                 && points.iter().all(own)
-                && rods.len() == 1 + riders.iter().flatten().count() =>
+                && rods.len() == 1 + arms + riders.iter().flatten().count() =>
         {
             GroupKind::DrivenBar {
                 link,

@@ -77,8 +77,9 @@ impl<'a> Births<'a> {
         let on_line = |roll: usize| matches!(mechanism.rolls.get(roll), Some(Roll::Line { .. }));
         let lines = in_turn(space, steps, |act| match act {
             Act::DrawCentrePath { roll, .. } if !on_line(*roll) => Some(Kind::Arc),
-            Act::StrikeArc { .. } | Act::DrawSeeing { .. } => Some(Kind::Arc),
+            Act::StrikeArc { .. } | Act::StrikeArcThere { .. } | Act::DrawSeeing { .. } => Some(Kind::Arc),
             Act::DrawGuide { .. }
+            | Act::LayOffShift { .. }
             | Act::DrawCentrePath { .. }
             | Act::DrawStatedRay { .. }
             | Act::DrawSquare { .. }

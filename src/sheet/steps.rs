@@ -748,6 +748,25 @@ impl Teller<'_> {
                 ],
             ),
             Act::StrikeArc { centre, to, radius } => self.arc_about([*centre, *to], *radius),
+            Act::LayOffShift { base, line: [from, to], angle, length } => Rich::fill(
+                words.lay_off_shift,
+                &[
+                    ("from", n.point(*base)),
+                    ("length", n.length(*from, *to)),
+                    ("value", metres(*length)),
+                    ("mm", human::millimetres(length / per_mm)),
+                    ("angle", human::degrees(*angle)),
+                ],
+            ),
+            Act::StrikeArcThere { ends: [centre, pin], point, radius } => Rich::fill(
+                words.strike_arc_there,
+                &[
+                    ("length", n.length(*centre, *pin)),
+                    ("value", metres(*radius)),
+                    ("mm", human::millimetres(radius / per_mm)),
+                    ("point", n.point(*point)),
+                ],
+            ),
             Act::DrawGuide { slide } => match self.slot_about(*slide) {
                 Some((pin, centre, radius)) => self.arc_about([pin, centre], radius),
                 None => self.arc_to_its_centre(*slide).unwrap_or_else(|| self.draw_guide(*slide)),

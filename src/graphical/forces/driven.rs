@@ -1,13 +1,13 @@
 //! A driven link that two pairs hold, neither of which is a pin on a solved link.
 
-use crate::board::{Direction, Point};
+use crate::board::{Direction, Line, Point};
 use crate::mechanism::structure::{Drive, Hold};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
 use super::groups::Sliding;
 use super::rolling::Contact;
-use super::{Balance, Item, Pull, SlideForce, pulls};
+use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
 
 /// The pairs of a driven bar.
 pub(super) struct Bar {
@@ -36,6 +36,15 @@ enum Side {
         roll: usize,
         wheel: LinkId,
         contact: Contact,
+    },
+    /// A rod holds a pin of the bar.
+    Turns {
+        rod: LinkId,
+        base: PointId,
+        items: Vec<Item>,
+        touch: Point,
+        /// Of the bar's force on the rod what moments about the base give.
+        across: Option<Pull>,
     },
 }
 
@@ -75,6 +84,24 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
             Hold::Contact { roll, wheel } => {
                 let contact = d.contact_at(roll);
                 (Side::Touches { roll, wheel: d.rolling_side(roll, link, wheel), contact }, contact.push)
+            }
+            Hold::Rod { rod, base } => {
+                let items = balance.on(rod);
+                let at_base = d.touch_at(balance, base, rod);
+                let touch = d.inner_touch(balance, pins[i], [link, rod]);
+                let reason = d.reason(&[rod]);
+                let (along, _) = d.board.toward(at_base, touch, reason);
+                let square = d.board.quarter_turn(along);
+                let moments = d.moments(&items, at_base);
+                let across = moments.map(|moments| {
+                    let found = TakenFor::Across { pin: pins[i], by: link, on: rod, from: base };
+                    balance.taken.push(Taken { links: vec![rod], about: About::Point(base), found });
+                    let line = Line { through: touch, along: square };
+                    let size = d.balancing(Some(moments), line, at_base, &[rod]);
+                    d.pull_along(square, size)
+                });
+                all.extend(across.map(Draughtsman::opposite));
+                (Side::Turns { rod, base, items, touch, across }, along)
             }
         });
     }
@@ -127,6 +154,18 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
             Side::Touches { roll, wheel, contact } => {
                 d.presses(balance, roll, (wheel, link), force, &contact);
                 Item { pull: Some(force), at: contact.at, couple: None }
+            }
+            Side::Turns { rod, base, items, touch, across } => {
+                let parts: Vec<Pull> = across.map(Draughtsman::opposite).into_iter().chain([force]).collect();
+                let on_bar = Pull { tail: d.board.origin(), head: d.chained(&parts) };
+                let on_bar = d.pin_force_as_used(pin, link, on_bar);
+                let on_rod = Draughtsman::opposite(on_bar);
+                d.note_inner_pin(balance, pin, [(link, on_bar), (rod, on_rod)]);
+                let mut of_rod = pulls(&items);
+                of_rod.push(on_rod);
+                let reaction = d.closing(&of_rod);
+                d.note_pin(balance, base, rod, reaction);
+                Item { pull: Some(on_bar), at: touch, couple: None }
             }
         });
     }
