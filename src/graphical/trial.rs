@@ -1,5 +1,4 @@
-//! Groups of higher class, by trial (Stephenson's six-bar driven at the wrong link, triads of eight-bars, a
-//! coupler as the driver).
+//! Groups of higher class, by trial (Stephenson's six-bar driven at the wrong link, triads of eight-bars).
 //!
 //! No dyad of such a group is solvable alone. One of its links is driven by trial and one constraint is left
 //! open; the rest then falls apart into groups that can be constructed.

@@ -835,10 +835,12 @@ impl Teller<'_> {
             return parts;
         }
         let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
-        // The polygon of a link on legs gives what closes theirs.
-        let meets =
-            |moments: &&MomentBalance| moments.told == index && matches!(moments.about, About::Meet { .. });
-        let first = self.sheet.moments.iter().any(|moments| meets(&moments)).then_some(index);
+        // The polygon of a link on legs gives what closes theirs; so does that of a driven link on rods.
+        let on_legs = |moments: &MomentBalance| {
+            let drives = before > 0 && matches!(moments.found.of, Turning::Torque(_));
+            moments.told == index && (drives || matches!(moments.about, About::Meet { .. }))
+        };
+        let first = self.sheet.moments.iter().any(on_legs).then_some(index);
         let last = first.map_or(index + 1, |first| first);
         for k in first.into_iter().chain(index - before..last) {
             let own = ForcePanel::Polygon(k);

@@ -88,7 +88,8 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
                     found.learn(&bodies[first..]);
                 }
             }
-            if own.iter().any(|taken| matches!(taken.about, About::Meet { .. })) {
+            let meets = own.iter().any(|taken| matches!(taken.about, About::Meet { .. }));
+            if meets || held_by_rods(&own).is_some() {
                 closed_by_the_last(&mut bodies[first..]);
             }
             found.learn(&bodies[first..]);
@@ -187,6 +188,11 @@ fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
         all.sort_by_key(|link| (middle.links.contains(link), !across(link)));
         return vec![all];
     }
+    if let Some(bar) = held_by_rods(taken) {
+        let across = |link: &LinkId| taken.iter().any(|of| of.links.contains(link));
+        all.sort_by_key(|link| (*link == bar, !across(link)));
+        return vec![all];
+    }
     match taken {
         [one, other] if matches!(one.found, TakenFor::Across { .. }) => {
             return vec![[*one, *other].into_iter().filter_map(first).collect()];
@@ -201,6 +207,17 @@ fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
         _ => {}
     }
     all.into_iter().map(|link| vec![link]).collect()
+}
+
+/// The driven link that rods hold, where moments of one of them give a part of its force.
+fn held_by_rods(taken: &[&Taken]) -> Option<LinkId> {
+    let driven = |link: LinkId| {
+        taken.iter().any(|of| matches!(of.found, TakenFor::Effort(_)) && of.links.contains(&link))
+    };
+    taken.iter().find_map(|of| match of.found {
+        TakenFor::Across { by, .. } => driven(by).then_some(by),
+        _ => None,
+    })
 }
 
 /// The legs of a link are closed once its own polygon, which is laid off first, has given what it exerts on them.
