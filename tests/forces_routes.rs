@@ -562,8 +562,12 @@ fn what_drives_a_bare_pin_stands_on_both_links() {
     };
     let Answer::Scalar { value, bound } = found["drive(A)"] else { panic!() };
     assert!((value + drive).abs() <= bound + 1e-10, "{value}, not {}", -drive);
-    ["F(3,2)", "F(2,3)", "F(A,3)"].map(|name| size(name, [0.0; 2]));
-    ["F(A,2)", "F(1,3)"].map(|name| size(name, along.map(|part| -drive * part)));
+    for name in ["F(3,2)", "F(2,3)", "F(A,3)"] {
+        size(name, [0.0; 2]);
+    }
+    for name in ["F(A,2)", "F(1,3)"] {
+        size(name, along.map(|part| -drive * part));
+    }
     size("F(1,2)", along.map(|part| drive * part));
     let Answer::Scalar { value, bound } = found["moment(F(A,2),O2)"] else { panic!() };
     assert!((value + 100.0).abs() <= bound + 1e-10, "{value}");

@@ -882,7 +882,6 @@ impl Teller<'_> {
                 let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
                 let line = line.then(&m).up(OVER).then(&s).up(EQUALS);
                 let line = line.then(&human::with_unit(&human::number(effort), unit));
-                let line = if driven.is_some() { line.word(n.sense(effort)) } else { line };
                 let of = |act: &AuxiliaryAct| match *act {
                     AuxiliaryAct::MomentOnLever { moment, .. } => Some(moment),
                     AuxiliaryAct::CoupleOnLever { torque, omega, .. } => Some(torque * omega),

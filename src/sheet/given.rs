@@ -186,7 +186,7 @@ impl Teller<'_> {
 
     fn pair(&self, x: f64, y: f64) -> Rich {
         /// A coordinate that is a smaller part of the other is the rounding of what led to the place.
-        const ROUNDED: f64 = 1e-12;
+        const ROUNDED: f64 = 1e-9;
         let unit = self.n.scene.units.length.si;
         let least = ROUNDED * x.abs().max(y.abs());
         let number = |si: f64| human::stated(if si.abs() < least { 0.0 } else { si / unit });

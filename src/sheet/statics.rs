@@ -752,9 +752,8 @@ impl Teller<'_> {
         };
         let formula = name(&[link]).up(" − ").then(&name(&[carrier]));
         let result = Factor::new(relative, &unit, "rad/s");
-        let line =
-            self.line_in(true, name(&[link, carrier]), formula, &factors, set, reckon, (result, &unit));
-        Some(line.aside(self.n.words.comma, &Rich::upright(self.n.sense(relative))))
+        // The sign tells the sense: both together would tell it twice, the second time the other way round.
+        Some(self.line_in(true, name(&[link, carrier]), formula, &factors, set, reckon, (result, &unit)))
     }
 
     /// A body: its balance, moments that give a size, the polygon that gives the rest.
