@@ -71,18 +71,24 @@ impl Geneva {
             / (2.0 * self.base * self.radius);
         let cut = libm::acos(cut.clamp(-1.0, 1.0));
         let mut all = Vec::new();
+        // No chord leaves its arc by as much as a thin line is wide.
+        let rim = |from: f64, to: f64| {
+            (1..16)
+                .map(move |i| on_circle(self.centre, self.radius, from + (to - from) * f64::from(i) / 16.0))
+        };
+        let mouth = libm::asin((BARE / self.radius).clamp(0.0, 1.0));
         for k in 0..self.slots {
             let along = first + step * k as f64;
             let (sin, cos) = libm::sincos(along);
             let (out, left) = (Vec2::new(cos, -sin), Vec2::new(-sin, -cos));
-            let mouth = (self.radius * self.radius - BARE * BARE).max(0.0).sqrt();
+            let open = self.radius * libm::cos(mouth);
             let at = |r: f64, side: f64| self.centre + out * r + left * (side * BARE);
-            all.extend([at(mouth, -1.0), at(bottom, -1.0)]);
+            all.extend([at(open, -1.0), at(bottom, -1.0)]);
             for i in 1..8 {
                 let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(i) / 8.0);
                 all.push(at(bottom, -cos) - out * (BARE * sin));
             }
-            all.extend([at(bottom, 1.0), at(mouth, 1.0)]);
+            all.extend([at(bottom, 1.0), at(open, 1.0)]);
             // The rim to the hollow, the hollow, and the rim to the next slot.
             let middle = along + step / 2.0;
             let disc = on_circle(self.centre, self.base, middle);
@@ -90,7 +96,9 @@ impl Geneva {
             let seen = |p: Point| libm::atan2(disc.y - p.y, p.x - disc.x);
             let (from, to) = (seen(edge[0]), seen(edge[1]));
             let sweep = libm::remainder(to - from, std::f64::consts::TAU);
-            all.extend((0..=16).map(|i| on_circle(disc, lock, from + sweep * f64::from(i) / 16.0)));
+            all.extend(rim(along + mouth, middle - cut));
+            all.extend((0..=48).map(|i| on_circle(disc, lock, from + sweep * f64::from(i) / 48.0)));
+            all.extend(rim(middle + cut, along + step - mouth));
         }
         all
     }

@@ -392,12 +392,9 @@ impl Teller<'_> {
             let mm = libm::hypot(a[0] - b[0], a[1] - b[1]);
             let length = mm * self.construction.space.metres_per_mm;
             let name = self.n.symbol(Quantity::Force(Force::Pull(index), Share::Total), false);
-            let parts = [
-                ("length", self.n.length(from, to)),
-                ("mm", human::millimetres(mm)),
-                ("value", self.length(length)),
-            ];
-            lines.push(Rich::fill(self.n.words.measure_length, &parts));
+            let told = [human::millimetres(mm), self.length(length)];
+            let metres_per_mm = self.construction.space.metres_per_mm;
+            lines.push(super::steps::measured_length(self.n.length(from, to), told, metres_per_mm, self.n));
             let factors = [
                 Factor::new(stiffness.value, &units.stiffness, "N/m"),
                 Factor::new(length, &units.length, "m"),

@@ -364,6 +364,20 @@ pub fn read(
 /// Between two points: the way from one to the other.
 pub(super) const WAY: &str = "\u{2009}→\u{2009}";
 
+/// O₂A as it lies on the paper and as it is; once where the paper shows it in its own size and unit.
+pub(super) fn measured_length(
+    length: Rich,
+    [mm, value]: [Rich; 2],
+    metres_per_mm: f64,
+    notation: &Notation<'_>,
+) -> Rich {
+    let unit = &notation.scene.units.length;
+    if unit.symbol == "mm" && (metres_per_mm / unit.si - 1.0).abs() < 1e-9 {
+        return Rich::fill(notation.words.measured_arms, &[("list", length.up("\u{a0}= ").then(&value))]);
+    }
+    Rich::fill(notation.words.measure_length, &[("length", length), ("mm", mm), ("value", value)])
+}
+
 /// The driven rates in radians where the scene states them otherwise: 300 rpm are 2π · 300 / 60.
 pub(super) fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich> {
     let mut all = Vec::new();
@@ -835,8 +849,7 @@ impl Teller<'_> {
                 let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key).min(1));
                 figures.note(key, &value, (written, exact), length_unit);
                 let value = human::with_unit(&value, &length_unit.symbol);
-                let parts = [("length", n.length(*from, *to)), ("mm", mm), ("value", value)];
-                Rich::fill(words.measure_length, &parts)
+                measured_length(n.length(*from, *to), [mm, value], per_mm, n)
             }
             Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, diagram))]),
             Act::Calculate(calculation) => return self.calculation(calculation),
@@ -1172,7 +1185,7 @@ impl Teller<'_> {
                 comma(n.claim(claim), sense)
             }
             // Its way was told with its size.
-            _ if vector.kind == VectorKind::Coriolis => n.claim(claim),
+            _ if vector.kind == VectorKind::Coriolis && !n.claim(claim).is_empty() => n.claim(claim),
             _ => comma(n.claim(claim), self.way_of(vector)),
         }
     }

@@ -6,7 +6,7 @@ use crate::mechanism::force::{
 use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::spin::SpinSpeed;
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId, Slide};
 use crate::plan::Plan;
 
 use super::super::construction::{
@@ -515,12 +515,19 @@ impl Draughtsman<'_> {
             if parties.len() < 2 || !parties.contains(&link) {
                 continue;
             }
+            // A pin in a slot is pressed across it.
+            let slot = |of: LinkId| {
+                let own =
+                    |slide: &&Slide| m.party_of(&slide.rider) == Party::Pin(pin) && slide.guide.link == of;
+                m.slides.iter().filter(own).count() == 1
+            };
             match parties[..] {
                 [one, other] => {
                     let by = if one == link { other } else { one };
-                    wanted.push((Action::Pair { by, on: link }, self.knowledge(link, Some(by), false)));
+                    let known = self.knowledge(link, Some(by), slot(one) || slot(other));
+                    wanted.push((Action::Pair { by, on: link }, known));
                 }
-                _ => wanted.push((Action::OfPin(pin, link), self.knowledge(link, None, false))),
+                _ => wanted.push((Action::OfPin(pin, link), self.knowledge(link, None, slot(link)))),
             }
         }
         for slide in &m.slides {
