@@ -572,3 +572,48 @@ fn what_drives_a_bare_pin_stands_on_both_links() {
     let Answer::Scalar { value, bound } = found["moment(F(A,2),O2)"] else { panic!() };
     assert!((value + 100.0).abs() <= bound + 1e-10, "{value}");
 }
+
+/// A mass centre stated by coordinates that are those of a joint is that joint: a balanced crank, a rod's end, driven by the
+/// crank or by the coupler. What the joint itself is told is the truth.
+#[test]
+fn a_mass_centre_may_lie_in_a_joint() {
+    for driven in
+        [json!({ "link": 2, "angle": 60, "omega": 5 }), json!({ "link": 3, "angle": 10, "omega": 5 })]
+    {
+        let scene = |masses: Value| {
+            json!({
+                "units": { "length": "mm" },
+                "fixed": { "O2": [0, 0], "O4": [140, -30] },
+                "links": {
+                    "2": { "joins": ["O2", "A"], "length": 60 },
+                    "3": { "joins": ["A", "B"], "length": 120 },
+                    "4": { "joins": ["O4", "B"], "length": 95 }
+                },
+                "near": { "A": [44, 41], "B": [164, 61] }, "input": driven, "gravity": {}, "masses": masses,
+                "find": [format!("T({})", driven["link"]), "F(1,4)", "F(1,2)", "a(G2)", "a(G3)", "a(G4)"]
+            })
+        };
+        let heavy = |at: Value| json!({ "mass": 2, "inertia": 0.01, "at": at });
+        let joints = [["O2", "A", "O4"], ["A", "B", "B"]];
+        let places = [[[0, 0], [0, 0], [0, 0]], [[60, 0], [120, 0], [95, 0]]];
+        for (names, places) in joints.into_iter().zip(places) {
+            let by_name = names.map(|name| heavy(json!(name)));
+            let by_place = places.map(|at| heavy(json!(at)));
+            let masses = |[a, b, c]: [Value; 3]| json!({ "2": a, "3": b, "4": c });
+            let mut named = scene(masses(by_name));
+            named["find"] = json!([named["find"][0], "F(1,4)", "F(1,2)"]);
+            let (_, named) = answers(&named).unwrap();
+            let (_, placed) = answers(&scene(masses(by_place))).unwrap();
+            for (name, truth) in &named {
+                let numbers = |answer: &Answer| match *answer {
+                    Answer::Scalar { value, bound } => ([value, 0.0], bound),
+                    Answer::Vector { value, bound } => (value, bound),
+                    ref other => panic!("{name}: {other:?}"),
+                };
+                let ((told, bound), (truth, slack)) = (numbers(&placed[name]), numbers(truth));
+                let off = libm::hypot(told[0] - truth[0], told[1] - truth[1]);
+                assert!(off <= bound + slack, "{name}: {told:?}, not {truth:?}");
+            }
+        }
+    }
+}

@@ -178,7 +178,8 @@ impl Draughtsman<'_> {
         for &(_, point) in &step.points {
             // Without Aᵗ the end of the normal part is the image itself.
             let label = self.label(point);
-            let image = self.lay_off_normal(link, point, base, label);
+            let as_one = self.image_as_one(Order::Acceleration, link, base, point);
+            let image = as_one.unwrap_or_else(|| self.lay_off_normal(link, point, base, label));
             let image = self.note_image(Order::Acceleration, point, image);
             self.whole_acceleration(point, base, image);
         }
@@ -585,6 +586,9 @@ impl Draughtsman<'_> {
         point: PointId,
         index: u8,
     ) -> Point {
+        if let Some(image) = self.image_as_one(Order::Acceleration, link, base, point) {
+            return image;
+        }
         let scale = self.polygon_scale(Order::Acceleration);
         let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
         let label = Label::Foot { point, link: foot_of, index };

@@ -683,7 +683,18 @@ impl Draughtsman<'_> {
                 Order::Acceleration => "acceleration image of a further point",
                 _ => "velocity image of a further point",
             });
-            let image = match kind.lead(self.mechanism, link) {
+            let lead = kind.lead(self.mechanism, link);
+            let known = match lead {
+                Some(Lead::Turning(base)) => vec![base],
+                Some(Lead::Image(base, pin)) => vec![base, pin],
+                _ => Vec::new(),
+            };
+            if let Some(image) = known.iter().find_map(|pin| self.image_as_one(order, link, *pin, point)) {
+                let image = self.note_image(order, point, image);
+                self.absolute_of(order, point, image);
+                continue;
+            }
+            let image = match lead {
                 Some(Lead::Turning(base)) => self.image_about(order, link, base, point),
                 Some(Lead::Riding(pin)) => self.riding_image(order, link, pin, point),
                 Some(Lead::Image(base, pin)) => match self.straight_ratio(link, base, pin, point) {

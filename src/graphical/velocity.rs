@@ -177,9 +177,12 @@ impl Draughtsman<'_> {
     /// V = ω l of each wanted point of a link whose ω is known, about its base.
     pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
-            let image = self.turned_about(link, base, point);
+            let as_one = self.image_as_one(Order::Velocity, link, base, point);
+            let image = as_one.unwrap_or_else(|| self.turned_about(link, base, point));
             let image = self.note_image(Order::Velocity, point, image);
-            self.note_turned(link, base, point, image);
+            if as_one.is_none() {
+                self.note_turned(link, base, point, image);
+            }
             if !self.mechanism.is_fixed(base) {
                 let label = self.label(point);
                 self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
@@ -741,9 +744,27 @@ impl Draughtsman<'_> {
 
     /// V = ω l about a point whose image is known, laid off perpendicular in the sense of ω.
     pub(super) fn velocity_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
+        if let Some(image) = self.image_as_one(Order::Velocity, link, base, point) {
+            return image;
+        }
         let image = self.turned_about(link, base, point);
         self.note_turned(link, base, point, image);
         image
+    }
+
+    /// The image of a point that the scene states where another one is: there is no line between them about which it turns.
+    pub(super) fn image_as_one(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        base: PointId,
+        point: PointId,
+    ) -> Option<Point> {
+        if !self.mechanism.link(link).states_as_one(base, point) {
+            return None;
+        }
+        self.act(Act::SameImage { label: self.label(point), with: self.label(base) });
+        Some(self.image(order, base))
     }
 
     /// What a link's rotation gives a point seen from another: V_BA, or V_B about a fixed point.

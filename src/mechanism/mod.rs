@@ -367,6 +367,30 @@ impl Link {
     pub fn extra_at(&self, index: usize) -> Option<GivenPoint> {
         self.extra.get(index.checked_sub(self.form.count()?)?).copied()
     }
+
+    /// Own coordinates of a point, by its index in [`Link::points`], as far as the scene states them and nothing has to be
+    /// constructed for them.
+    fn stated_at(&self, index: usize) -> Option<[f64; 2]> {
+        let on_axis = |x: f64| Some([x, 0.0]);
+        match (&self.form, index) {
+            (Form::Placed, _) => None,
+            (Form::Shape(points), _) if index < points.len() => Some(points[index].map(|x| x.value)),
+            (Form::Line(places), _) if index < places.len() => on_axis(places[index].value),
+            (Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Single, 0) => on_axis(0.0),
+            (Form::Length(length), 1) => on_axis(length.value),
+            (Form::Sides { first_second: side, .. } | Form::Arms { second: side, .. }, 1) => {
+                on_axis(side.value)
+            }
+            _ => self.extra_at(index).map(|at| at.map(|x| x.value)),
+        }
+    }
+
+    /// Whether the scene states two points of the link at one place.
+    #[must_use]
+    pub fn states_as_one(&self, one: PointId, other: PointId) -> bool {
+        let at = |point| self.stated_at(self.points.iter().position(|own| *own == point)?);
+        at(one).is_some_and(|place| at(other) == Some(place))
+    }
 }
 
 impl Mechanism {
