@@ -73,6 +73,20 @@ pub enum Auxiliary {
 }
 
 impl Auxiliary {
+    /// The name of its figure.
+    #[must_use]
+    pub const fn figure(&self) -> &'static str {
+        match self {
+            Self::Klein { .. } => "klein",
+            Self::Inflection { .. } => "inflection",
+            Self::Kennedy { .. } => "kennedy",
+            Self::Rotation { .. } => "rotation-centre",
+            Self::TwoMasses { .. } => "equivalent",
+            Self::Lever { .. } => "lever",
+            Self::Centrodes { .. } => "centrodes",
+        }
+    }
+
     /// The instant centres that it needs.
     #[must_use]
     pub fn centres(&self) -> Vec<[LinkId; 2]> {
@@ -204,6 +218,8 @@ pub struct CentrePlan {
     pub with_velocities: bool,
     /// The velocity diagram is laid off from centres, to feed an acceleration polygon.
     pub feeds: bool,
+    /// What is sought first, as if it were alone: the ways to centres that are asked for do not hang on what is shown besides.
+    pub first: Option<Box<Self>>,
 }
 
 /// The links of a centre, the lower first.
@@ -906,6 +922,7 @@ impl Wanted<'_> {
             barred: BTreeSet::new(),
             with_velocities: self.source == CentreSource::Velocities,
             feeds,
+            first: None,
         }
     }
 

@@ -1,5 +1,7 @@
 //! The diagrams of a page: what of their ink hangs on which numbers, at which scale, and where names stand along the course.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
@@ -16,7 +18,7 @@ use crate::sheet::figure::{Group, Mark, Node, Shape};
 use crate::sheet::moving::{self, Draughts, Drawing, Layer, Name, Said, Spot, Way, arrow};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
-use crate::sweep::{Column, Sweep};
+use crate::sweep::{Column, InputKind, Sweep};
 
 /// At so many positions ink is drawn to find out how it moves.
 const DRAWN: usize = 5;
@@ -135,6 +137,8 @@ impl Diagrams {
                 "points of wheels are carried along by how far these have rolled, which a page does not move yet",
             ));
         }
+        let draughts = Draughts::new(scene, construction, language);
+        let construction = draughts.construction();
         let frames: Vec<f64> =
             sweep.equal_steps(FRAMES).into_iter().filter(|at| sweep.stretch_at(*at).is_some()).collect();
         let course: Vec<Numbers> = frames.iter().filter_map(|at| numbers(sweep, *at)).collect();
@@ -151,9 +155,15 @@ impl Diagrams {
             drafted.extend(panel(drafted.len(), sketch, (scene, sweep), &drawn, (&course, &start), scales));
         }
         let is_small = |(panel, _): &(Panel, Vec<Spotted>)| panel.is_small(&course, &start);
+        // Along both axes together no faster than a millimetre in a degree, or in as small a part of the range.
+        let whole = match sweep.input {
+            InputKind::Angle(_) => (sweep.range[1] - sweep.range[0]).to_degrees(),
+            InputKind::Slide(_) | InputKind::Time => 360.0,
+        };
+        let glide = FRAC_1_SQRT_2 * whole / f64::from(FRAMES);
         let refit = scene.sheet.live.refit.unwrap_or_else(|| drafted.iter().any(is_small));
         let place = |(index, (mut panel, spots)): (usize, (Panel, Vec<Spotted>))| {
-            place_names(&mut panel, index, spots, (&course, &start), sweep.whole_turn, refit);
+            place_names(&mut panel, index, spots, (&course, &start), (sweep.whole_turn, glide), refit);
             panel
         };
         let mut panels: Vec<Panel> = drafted.into_iter().enumerate().map(place).collect();
@@ -165,6 +175,22 @@ impl Diagrams {
     pub(super) fn has_layers(&self) -> bool {
         let is_layer = |moving: &Moving| matches!(moving.by, Move::Through(..) | Move::Round(..));
         self.panels.iter().any(|panel| panel.moving.iter().any(is_layer))
+    }
+
+    /// The panels, by index, that are not among those which are to be open; none where none of these is there.
+    pub(super) fn closed(&self, open: &[&str]) -> Vec<usize> {
+        let figure = |panel: &Panel| match panel.shows {
+            Shows::Diagram => panel.kind.figure(),
+            Shows::Layer(index) => {
+                self.drawn.layers.first().and_then(|all| all.get(index)).map_or("", |layer| layer.figure)
+            }
+            Shows::Circle => "circle",
+        };
+        let is_open = |panel: &Panel| open.contains(&figure(panel));
+        if !self.panels.iter().any(is_open) {
+            return Vec::new();
+        }
+        (0..self.panels.len()).filter(|index| !is_open(&self.panels[*index])).collect()
     }
 
     /// What is said of the steps, with what their numbers hang on.
@@ -479,8 +505,8 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
             Err(why) if all.constructions.is_empty() => return Err(why.into()),
             Err(_) => continue,
         };
-        let construction = solved.solution.construction;
-        let draughts = Draughts::new(&moved, &construction, language);
+        let draughts = Draughts::new(&moved, &solved.solution.construction, language);
+        let construction = draughts.construction().clone();
         if all.constructions.is_empty() {
             all.names = names(scene, &construction, &draughts);
             all.circle = draughts.circle();
@@ -1363,7 +1389,7 @@ fn place_names(
     index: usize,
     spots: Vec<Spotted>,
     (course, start): (&[Numbers], &Numbers),
-    cyclic: bool,
+    (cyclic, glide): (bool, f64),
     refit: bool,
 ) {
     let home = panel.seen(start);
@@ -1396,7 +1422,7 @@ fn place_names(
     };
     let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
     let names: Vec<Name> = spots.iter().map(|own| own.name.clone()).collect();
-    let ways = moving::along(&names, &frames, cyclic);
+    let ways = moving::along(&names, &frames, cyclic, glide);
     let mut labels = Group::new("labels");
     let mut placed = Vec::new();
     for (number, (spot, by)) in spots.into_iter().zip(ways).enumerate() {

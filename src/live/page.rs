@@ -118,6 +118,7 @@ pub fn page(
     data["opens"] = json!({
         "traces": traces.collect::<Vec<_>>(), "diagrams": wished.diagrams,
         "refit": moving.as_ref().is_ok_and(|(_, diagrams)| diagrams.refit),
+        "closed": moving.as_ref().map_or_else(|_| Vec::new(), |(_, diagrams)| diagrams.closed(&wished.panels)),
     });
     if let Ok((live, _)) = &moving {
         let quantities = quantities(scene, live);
@@ -267,7 +268,7 @@ fn with<'s>(mut scripts: Vec<&'s str>, one: &'s str) -> Vec<&'s str> {
     scripts
 }
 
-/// The scripts as one, in a scope of its own, without their comments.
+/// The scripts as one, in a scope of its own, without their comments and the blanks that only people need.
 fn joined(scripts: &[&str]) -> String {
     let all: String = scripts.iter().map(|script| bare(script)).collect();
     format!("(() => {{\n'use strict';\n{all}}})();\n")
@@ -283,7 +284,34 @@ fn bare(script: &str) -> String {
     }
     out.push_str(rest);
     let lines = out.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines.flat_map(|line| [line, "\n"]).collect()
+    lines.map(|line| tight(line) + "\n").collect()
+}
+
+/// A line of a script without the blanks beside its signs. A template, an expression of a pattern and what is divided stay
+/// as they are; so do sums, whose signs must not run together.
+fn tight(line: &str) -> String {
+    const SIGNS: &str = ",=(){}[]:?&|;<>*!";
+    if line.contains(['`', '/']) {
+        return line.to_owned();
+    }
+    let mut out = String::with_capacity(line.len());
+    let mut quote: Option<char> = None;
+    let mut rest = line.chars().peekable();
+    while let Some(c) = rest.next() {
+        let beside = [out.chars().next_back(), rest.peek().copied()];
+        if c == ' ' && quote.is_none() && beside.into_iter().flatten().any(|sign| SIGNS.contains(sign)) {
+            continue;
+        }
+        out.push(c);
+        match quote {
+            // An escaped sign is none.
+            Some(_) if c == '\\' => out.extend(rest.next()),
+            Some(open) if c == open => quote = None,
+            None if c == '\'' || c == '"' => quote = Some(c),
+            _ => {}
+        }
+    }
+    out
 }
 
 /// A drawing in fewer bytes: the commonest size of type is said once, and a run says its height only where that changes.
@@ -397,10 +425,10 @@ fn panels(all: &[Panel]) -> String {
         let n = |x: f64| decimal(x, 3);
         out.push_str(&format!(
             "<figure class=\"panel\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
-             aria-labelledby=\"title{index}\" aria-describedby=\"state\" xmlns=\"http://www.w3.org/2000/svg\" \
+             aria-labelledby=\"title{index}\" aria-describedby=\"state{index}\" xmlns=\"http://www.w3.org/2000/svg\" \
              viewBox=\"{} {} {} {}\" width=\"{}mm\" height=\"{}mm\" font-family=\"{}\" stroke-linejoin=\"round\">{}</svg>\
              <figcaption dir=\"auto\"><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"auto\">{}</bdi>\
-             <span id=\"beyond{index}\"></span></figcaption>\
+             <span id=\"beyond{index}\"></span><span id=\"state{index}\" class=\"unseen\"></span></figcaption>\
              </figure>",
             n(shown.x0),
             n(shown.y0),

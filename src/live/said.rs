@@ -181,8 +181,8 @@ impl Printed {
     }
 
     /// What stands in the place of a number that is printed so in some of the positions, the scene's own first: there to the
-    /// last figure, elsewhere but for what rounding on the way has made of that.
-    fn bound(&self, printed: &[&str], at: &[usize]) -> Option<(Value, Option<OnPaper>)> {
+    /// last figure, elsewhere but for what rounding on the way has made of that. `on_paper`: a length on the paper of a polygon.
+    fn bound(&self, printed: &[&str], at: &[usize], on_paper: bool) -> Option<(Value, Option<OnPaper>)> {
         let (own, others) = printed.split_first()?;
         let more = |candidate: &Candidate| {
             let values = || at.iter().map(|index| candidate.values[*index]);
@@ -212,7 +212,8 @@ impl Printed {
             };
             others.iter().zip(values().skip(1)).zip(&at[1..]).all(rounded).then_some(more)
         };
-        self.all.iter().find_map(|candidate| {
+        let mut all = self.all.iter().filter(|candidate| !on_paper || candidate.form == Form::OnPaper);
+        all.find_map(|candidate| {
             let more = more(candidate)?;
             let Candidate { form, output, si, panel, .. } = candidate;
             let piece = json!([form.code(), output, si, more, panel]);
@@ -292,7 +293,10 @@ impl Printed {
         if of_an_instant.iter().any(|words| first.contains(words.as_str())) {
             return own();
         }
-        if !has_sense && printed.iter().all(|text| text == first) {
+        // Of a length that stays the same the paper may not: its scale may be chosen anew in every position.
+        let on_paper = |index: usize| matches!(one.get(index + 1), Some(Token::Words(words)) if words.starts_with("\u{a0}mm"));
+        let has_paper = (0..one.len()).any(|index| matches!(one[index], Token::Number(_)) && on_paper(index));
+        if !has_sense && !has_paper && printed.iter().all(|text| text == first) {
             return json!(first);
         }
         let mut pieces: Vec<Value> = Vec::new();
@@ -325,7 +329,14 @@ impl Printed {
                 }
                 Token::Number(text) if constant => {
                     turns = self.turning(&same, &at).or(turns);
-                    pieces.push(json!(text));
+                    let bound = if on_paper(index) { self.bound(&same, &at, true) } else { None };
+                    let Some((piece, Some(on))) = bound else {
+                        pieces.push(json!(text));
+                        continue;
+                    };
+                    reads.push(on);
+                    reading = Some(Reading { on, piece: pieces.len(), printed: same, si: None });
+                    pieces.push(piece);
                 }
                 Token::Number(_) => {
                     if let Some(read) = &reading
@@ -335,7 +346,7 @@ impl Printed {
                         pieces.push(json!([AMOUNT]));
                         continue;
                     }
-                    let Some((piece, on)) = self.bound(&same, &at) else { return own() };
+                    let Some((piece, on)) = self.bound(&same, &at, false) else { return own() };
                     turns = self.turning(&same, &at);
                     if let Some(on) = on {
                         reads.push(on);

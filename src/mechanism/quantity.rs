@@ -118,6 +118,16 @@ pub enum DiagramKind {
 }
 
 impl DiagramKind {
+    /// The name of its figure.
+    #[must_use]
+    pub const fn figure(self) -> &'static str {
+        match self {
+            Self::Skeleton => "skeleton",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+        }
+    }
+
     /// What its lengths on paper stand for.
     #[must_use]
     pub const fn dimension(self) -> Dimension {

@@ -78,6 +78,6 @@ pub(super) const SHEET: &[&str] = &[
     "marks",
     "live",
 ];
-pub(super) const LIVE: &[&str] = &["play_seconds", "traces", "diagrams", "scale"];
+pub(super) const LIVE: &[&str] = &["play_seconds", "traces", "diagrams", "scale", "panels"];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration", "force"];
 pub(super) const RANGE: &[&str] = &["from", "to", "step"];

@@ -329,6 +329,8 @@ pub struct LiveOptions {
     pub diagrams: Vec<usize>,
     /// Polygons are fitted to each position, or keep one scale over the course; where nothing is said, whichever can be read.
     pub refit: Option<bool>,
+    /// The panels that are open, by the names of their figures; all where nothing is said.
+    pub panels: Vec<&'static str>,
 }
 
 /// Which letter stands for angular acceleration.

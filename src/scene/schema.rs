@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::asked::QUANTITIES;
-use super::sheet::{LANGUAGES, LIVE_SCALES, NOTATIONS, PAPERS, PLAY_SECONDS, THEMES};
+use super::sheet::{LANGUAGES, LIVE_PANELS, LIVE_SCALES, NOTATIONS, PAPERS, PLAY_SECONDS, THEMES};
 use super::units::names;
 use crate::limits::POSITIONS;
 use crate::mechanism::quantity::Method;
@@ -686,6 +686,11 @@ fn sheet() -> Value {
             "scale": {
                 "enum": LIVE_SCALES,
                 "description": "Polygons keep one scale over the course, or are fitted to each position; where nothing is said, the latter where they would be too small.",
+            },
+            "panels": {
+                "type": "array", "items": { "enum": LIVE_PANELS },
+                "description": "The panels that are open, of those that the question has; all where nothing is said.",
+                "examples": [["skeleton", "velocity"]],
             },
         })),
         "sheet": object("How to draw.", &[], json!({

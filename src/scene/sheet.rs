@@ -23,6 +23,21 @@ pub(super) const NOTATIONS: [&str; 5] = ["standard", "norton", "uicker", "rattan
 
 /// Scales of a live page: one for the course, or one for each position.
 pub(super) const LIVE_SCALES: [&str; 2] = ["fixed", "refit"];
+
+/// What a panel of the live page can show, by the names of the figures.
+pub(super) const LIVE_PANELS: [&str; 11] = [
+    "skeleton",
+    "velocity",
+    "acceleration",
+    "centres",
+    "circle",
+    "transfer",
+    "klein",
+    "inflection",
+    "centrodes",
+    "kennedy",
+    "rotation-centre",
+];
 /// The course plays no faster and no slower, s.
 pub(super) const PLAY_SECONDS: [f64; 2] = [1.0, 120.0];
 
@@ -175,6 +190,12 @@ fn live(value: &Value<'_>, scales: &Scales, mechanism: &Mechanism) -> Res<LiveOp
     }
     if let Some(scale) = fields.get("scale") {
         live.refit = Some(one_of(scale, &LIVE_SCALES, "a way to choose scales")? == "refit");
+    }
+    if let Some(panels) = fields.get("panels") {
+        for item in panels.list("a list of panels, such as [\"skeleton\", \"velocity\"]")? {
+            let name = one_of(item, &LIVE_PANELS, "a panel of the page")?;
+            live.panels.extend(LIVE_PANELS.into_iter().find(|known| *known == name));
+        }
     }
     Ok(live)
 }

@@ -45,6 +45,8 @@ pub struct Drawing {
 /// What is drawn over a skeleton: lines of centres, a construction besides the polygons.
 #[derive(Debug, Clone)]
 pub struct Layer {
+    /// The name of its figure.
+    pub figure: &'static str,
     /// Its caption, as hypertext.
     pub title: String,
     /// Its strokes, in the same order in every position.
@@ -209,6 +211,12 @@ impl<'a> Draughts<'a> {
         Self { construction: told_apart(construction, &notation), notation }
     }
 
+    /// What is drawn, with a name of its own for each place.
+    #[must_use]
+    pub fn construction(&self) -> &Construction {
+        &self.construction
+    }
+
     /// The diagrams that were drawn.
     #[must_use]
     pub fn diagrams(&self) -> Vec<Drawing> {
@@ -320,7 +328,7 @@ impl<'a> Draughts<'a> {
                 points.push(LayerPoint { at, name: Some(name), ink: Group::default() });
             }
         }
-        Layer { title: notation.words.centres_figure.to_owned(), strokes, points }
+        Layer { figure: "centres", title: notation.words.centres_figure.to_owned(), strokes, points }
     }
 
     fn name_of_centres(&self, links: &[[crate::mechanism::LinkId; 2]], radius: f64) -> Name {
@@ -345,7 +353,8 @@ impl<'a> Draughts<'a> {
             Some(LayerStroke { way, at: vec![Some(from), Some(to)], pen, class, of: String::new() })
         });
         let strokes = strokes.collect();
-        Layer { title: transfer::title(own, &self.notation).html(), strokes, points: Vec::new() }
+        let title = transfer::title(own, &self.notation).html();
+        Layer { figure: "transfer", title, strokes, points: Vec::new() }
     }
 
     fn auxiliary(&self, drawing: &crate::graphical::auxiliary::AuxiliaryDrawing) -> Layer {
@@ -382,7 +391,8 @@ impl<'a> Draughts<'a> {
             LayerPoint { at: Some(page(point.at)), name: Some(name), ink }
         });
         let title = auxiliary::title(&drawing.kind, &self.notation).html();
-        Layer { title, strokes: strokes.collect(), points: points.collect() }
+        let figure = drawing.kind.figure();
+        Layer { figure, title, strokes: strokes.collect(), points: points.collect() }
     }
 
     /// The name of images that are always one point.
@@ -557,14 +567,18 @@ pub struct Frame {
 const CHANGE: f64 = 1.2;
 /// However far a name moves, no more.
 const MOST_CHANGE: f64 = 60.0;
+/// A name that would be taken for that of another point costs so much; points nearer to each other than this are one, mm.
+const ASTRAY: f64 = 60.0;
+const SAME: f64 = 0.5;
 /// Each name is placed anew so often, given the others.
 const PASSES: usize = 3;
 
 /// Where names stand along a course: for each name and frame how far its middle is from its anchor. Each name takes the
 /// sequence of places that costs least over the course, a change of place among the costs; name after name, given the
-/// others. `cyclic` where the last frame comes before the first.
+/// others. `cyclic` where the last frame comes before the first; `glide`: a name goes no further from frame to frame along
+/// either axis, mm.
 #[must_use]
-pub fn along(names: &[Name], frames: &[Frame], cyclic: bool) -> Vec<Vec<Vec2>> {
+pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64) -> Vec<Vec<Vec2>> {
     let ink: Vec<Obstacles> = frames.iter().map(|frame| Obstacles::of(&frame.ink)).collect();
     let halves: Vec<Vec2> = names.iter().map(Name::half).collect();
     // The ink does not change from pass to pass.
@@ -586,6 +600,17 @@ pub fn along(names: &[Name], frames: &[Frame], cyclic: bool) -> Vec<Vec<Vec2>> {
             frames.iter().zip(&ink).map(|pair| at(pair).unwrap_or_default()).collect()
         })
         .collect();
+    // The name of a point that stands nearer to another point that has a name would be taken for the other's.
+    let astray = |n: usize, frame: usize, at: Point| {
+        let spots = &frames[frame].spots;
+        let Some(Some(Spot::Point(own))) = spots.get(n) else { return 0.0 };
+        let off = |point: Point| {
+            let way = point - at;
+            libm::hypot((way.x.abs() - halves[n].x).max(0.0), (way.y.abs() - halves[n].y).max(0.0))
+        };
+        let nearer = |spot: &Spot| matches!(spot, Spot::Point(other) if other.distance(*own) > SAME && off(*other) < off(*own));
+        if spots.iter().flatten().any(nearer) { ASTRAY } else { 0.0 }
+    };
     let mut chosen: Vec<Vec<Option<usize>>> = vec![vec![None; frames.len()]; names.len()];
     for _ in 0..PASSES {
         for n in 0..names.len() {
@@ -597,48 +622,44 @@ pub fn along(names: &[Name], frames: &[Frame], cyclic: bool) -> Vec<Vec<Vec2>> {
                     let (place, at) = (chosen[m][frame]?, anchor(m)?);
                     Some((at + priced[m][frame][place].0, halves[m]))
                 });
-                own + others.map(|(other, half)| beside(at - other, halves[n] + half)).sum::<f64>()
+                let others: f64 = others.map(|(other, half)| beside(at - other, halves[n] + half)).sum();
+                own + others + astray(n, frame, at)
             };
             chosen[n] = least(&priced[n], cost, cyclic);
         }
     }
-    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic)).collect()
+    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic, glide)).collect()
 }
 
-/// A name glides from place to place by no more than this from frame to frame, mm.
-const GLIDE: f64 = 2.0;
-
-/// The way of a name through its places: before and after a change it glides.
-fn gliding(priced: &[Vec<(Vec2, f64)>], chosen: &[Option<usize>], cyclic: bool) -> Vec<Vec2> {
-    let count = chosen.len();
-    let by = |frame: usize, place: usize| priced[frame].get(place).map(|(by, _)| *by);
+/// The way of a name through its places: before and after a change it glides, along either axis by no more than `glide`
+/// from frame to frame. Where there is no name it stays, or is on its way to where it comes back.
+fn gliding(priced: &[Vec<(Vec2, f64)>], chosen: &[Option<usize>], cyclic: bool, glide: f64) -> Vec<Vec2> {
     let mut last = Vec2::ZERO;
-    let mut way: Vec<Vec2> = Vec::with_capacity(count);
-    for (frame, place) in chosen.iter().enumerate() {
-        last = place.and_then(|place| by(frame, place)).unwrap_or(last);
-        way.push(last);
-    }
-    let pairs = (1..count).map(|next| (next - 1, next)).chain(cyclic.then_some((count.max(1) - 1, 0)));
-    for (before, next) in pairs {
-        let (Some(Some(from)), Some(Some(to))) = (chosen.get(before), chosen.get(next)) else { continue };
-        let (Some(a), Some(b)) = (by(before, *from), by(next, *to)) else { continue };
-        if from == to {
-            continue;
-        }
-        let half = ((b - a).hypot() / (2.0 * GLIDE)).ceil().clamp(1.0, 8.0);
-        for step in 0..2 * half as usize {
-            let weight = (step as f64 + 0.5) / (2.0 * half);
-            let frame = next as isize - half as isize + step as isize;
-            let frame = match frame.rem_euclid(count as isize) {
-                home if home == frame || cyclic => home as usize,
-                _ => continue,
-            };
-            if let (Some(a), Some(b)) = (by(frame, *from), by(frame, *to)) {
-                way[frame] = a.lerp(b, weight);
-            }
-        }
-    }
-    way
+    let places: Vec<Vec2> = chosen
+        .iter()
+        .zip(priced)
+        .map(|(place, places)| {
+            last = place.and_then(|place| places.get(place)).map_or(last, |(by, _)| *by);
+            last
+        })
+        .collect();
+    // A single change becomes a slope of half the bound; what is faster after that is slowed down once more.
+    slowed(&slowed(&places, cyclic, 2.0 * glide), cyclic, glide)
+}
+
+/// Halfway between the lowest and the highest of the ways that go no further than `most` from frame to frame and meet `way`.
+fn slowed(way: &[Vec2], cyclic: bool, most: f64) -> Vec<Vec2> {
+    let count = way.len();
+    let apart = |f: usize, g: usize| {
+        let frames = f.abs_diff(g);
+        (if cyclic { frames.min(count - frames) } else { frames }) as f64
+    };
+    let axis = |f: usize, of: fn(Vec2) -> f64| {
+        let low = (0..count).map(|g| of(way[g]) + most * apart(f, g)).fold(f64::INFINITY, f64::min);
+        let high = (0..count).map(|g| of(way[g]) - most * apart(f, g)).fold(f64::NEG_INFINITY, f64::max);
+        f64::midpoint(low, high)
+    };
+    (0..count).map(|f| Vec2::new(axis(f, |by| by.x), axis(f, |by| by.y))).collect()
 }
 
 /// What two boxes cost each other, by the way between their middles and the sum of their halves.

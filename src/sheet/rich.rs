@@ -283,7 +283,20 @@ impl Rich {
             Piece::Scripts { sup, sub } => runs("sup", sup) + &runs("sub", sub),
             Piece::Tick | Piece::Gap(_) => String::new(),
         };
-        self.items.iter().map(piece).collect()
+        let is_arabic = |item: &&Item| match &item.piece {
+            Piece::Run(text, _) => text.chars().any(super::font::is_arabic),
+            Piece::Scripts { sup, sub } => {
+                sup.iter().chain(sub).any(|(text, _)| text.chars().any(super::font::is_arabic))
+            }
+            _ => false,
+        };
+        // A formula with names of Arabic script is an isolate from left to right.
+        let part = |items: &[Item]| {
+            let inside: String = items.iter().map(piece).collect();
+            let isolated = items[0].island && items.iter().any(|item| is_arabic(&item));
+            if isolated { format!("\u{2066}{inside}\u{2069}") } else { inside }
+        };
+        self.items.chunk_by(|a, b| a.island == b.island).map(part).collect()
     }
 
     /// The text as plain characters: V_B, ω₃, Aⁿ_BA.

@@ -297,7 +297,14 @@ impl Sweep {
             Over::Time => Variable::Time(prepare::laws(&mut mechanism)?),
         };
         let transcribe_from = |source: CentreSource| {
-            let plan = Plan::with(&mechanism, &structure, Extent::Asked, source);
+            let mut plan = Plan::with(&mechanism, &structure, Extent::Asked, source);
+            if told < mechanism.asked.len() {
+                // What is told is the same number whatever is shown besides.
+                let asked = mechanism.asked[..told].to_vec();
+                let alone = Mechanism { asked, ..mechanism.clone() };
+                plan.centres.first =
+                    Some(Box::new(Plan::with(&alone, &structure, Extent::Asked, source).centres));
+            }
             transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &starts)
         };
         let mut source = CentreSource::Diagram;

@@ -1,12 +1,12 @@
 // Runs a written drawing as a page does and holds every number against those of a sweep.
-// node exact.js PAGE-FOLDER CASES.json, where the cases are [{ name, live, positions: [[at, [value or null, ...]], ...] }].
+// node exact.js PAGE-FOLDER CASES-FOLDER, where each file is { name, live, positions: [[at, [value or null, ...]], ...] }.
 'use strict';
 const fs = require('node:fs');
 const path = require('node:path');
 
-const [, , pages, file] = process.argv;
+const [, , pages, folder] = process.argv;
 const source = ['libm', 'program', 'trial', 'course'].map((name) => fs.readFileSync(path.join(pages, `${name}.js`), 'utf8'));
-// One thing turned round, to see that it is noticed: node exact.js PAGE CASES FROM TO.
+// One thing turned round, to see that it is noticed: node exact.js PAGE-FOLDER CASES-FOLDER FROM TO.
 if (process.argv.length > 5) {
   const [from, to] = process.argv.slice(4);
   const at = source.findIndex((text) => text.includes(from));
@@ -14,10 +14,11 @@ if (process.argv.length > 5) {
   source[at] = source[at].replace(from, () => to);
 }
 const Course = new Function(`'use strict';${source.join('\n')}\nreturn Course;`)();
-const cases = JSON.parse(fs.readFileSync(file, 'utf8'));
+const files = fs.readdirSync(folder);
 let numbers = 0, refusals = 0, runs = 0;
 const wrong = [];
-for (const { name, live, positions } of cases) {
+for (const file of files) {
+  const { name, live, positions } = JSON.parse(fs.readFileSync(path.join(folder, file), 'utf8'));
   const course = new Course(live);
   const { program } = course;
   const steps = program.behind(live.outputs.map((output) => output.row));
@@ -41,5 +42,5 @@ for (const { name, live, positions } of cases) {
   }
 }
 for (const line of wrong.slice(0, 40)) console.error(line);
-console.log(JSON.stringify({ scenes: cases.length, numbers, refusals, runs, wrong: wrong.length }));
+console.log(JSON.stringify({ scenes: files.length, numbers, refusals, runs, wrong: wrong.length }));
 process.exit(wrong.length === 0 && numbers > 0 ? 0 : 1);

@@ -80,14 +80,18 @@ fn a_scene_states_how_its_page_opens() {
         json["sheet"]["live"] = live;
         json.to_string()
     };
-    let stated = serde_json::json!({ "play_seconds": 20, "traces": ["B"], "diagrams": ["omega(4)"], "scale": "refit" });
+    let stated = serde_json::json!({ "play_seconds": 20, "traces": ["B"], "diagrams": ["omega(4)"], "scale": "refit",
+        "panels": ["skeleton", "velocity"] });
     let scene = common::read(&with(stated));
     let solved = solved(&scene);
     let live = Live::of_solved(&scene, &solved, Over::Input, None).unwrap();
     let (page, _) = live::page(&scene, &solved, Ok(&live), &options(&scene, Kind::Solution)).unwrap();
     let data: Value = serde_json::from_str(between(&page, "id=\"linkgram-live\">", "</script>")).unwrap();
     let row = scene.mechanism.asked.iter().position(|asked| asked.name == "omega(4)").unwrap();
-    assert_eq!(data["opens"], serde_json::json!({ "traces": ["B"], "diagrams": [row], "refit": true }));
+    assert_eq!(
+        data["opens"],
+        serde_json::json!({ "traces": ["B"], "diagrams": [row], "refit": true, "closed": [2] })
+    );
     assert_eq!(data["seconds"], serde_json::json!(20.0));
     for (live, told) in [
         (serde_json::json!({ "traces": ["Q"] }), "there is no point `Q`"),
@@ -95,6 +99,7 @@ fn a_scene_states_how_its_page_opens() {
         (serde_json::json!({ "diagrams": ["v(A/B)"] }), "a diagram shows what is asked for"),
         (serde_json::json!({ "scale": "free" }), "`free` is not a way to choose scales"),
         (serde_json::json!({ "speed": 3 }), "speed"),
+        (serde_json::json!({ "panels": ["velocitys"] }), "`velocitys` is not a panel of the page"),
     ] {
         let text = with(live.clone());
         let error = linkgram::scene::read(&text, "f").expect_err(told);

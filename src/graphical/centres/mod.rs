@@ -51,6 +51,9 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     });
     d.board.purpose("instant centres");
     d.primary_centres(plan);
+    if let Some(first) = &plan.first {
+        d.kennedy(first);
+    }
     let mut stalled = d.kennedy(plan);
     if plan.with_velocities && !stalled.is_empty() {
         let rest = d.rests().then(|| d.assume_motion(velocity));

@@ -6,19 +6,19 @@ function assemble(page) {
   const playing = plays(page), travel = travels(page, playing.halt), hand = handLeads(page, playing.halt), light = highlights(page);
   const values = showsValues(page, light), steps = showsSteps(page, light), diagram = choosesDiagram(page, travel);
   light.followed(values.press);
-  const place = showsPlace(page, travel, () => values.textOf(light.pinned()));
+  const place = showsPlace(page, travel, () => values.textOf(light.pinned()), values.textOfPanel);
   const scale = choosesScale(page), panel = fillWindow(page), help = tellsKeys(page), out = givesAway(page);
 
+  // Below the drawings, and in sight while these are. Not named as any ink is: print hides it.
+  byId('controls').before(make('div', { class: 'hand' }, make('div', { class: 'row' }, playing.button, place.slider, place.field), page.message, place.state));
   byId('controls').append(
-    // Not named as any ink is: print hides it.
-    make('div', { class: 'hand' }, make('div', { class: 'row' }, playing.button, place.slider, place.field), page.message, place.state),
     make('div', { class: 'row' }, ...playing.pace, eventChoice(page, travel), travel.apart),
     make('div', { class: 'row tools' }, ...choosesLanguage(page), page.button({ id: 'own' }, 'own_position', travel.goHome), scale.button,
       page.button({ id: 'theme' }, 'theme', turnTheme), page.button({ id: 'full' }, 'full', panel.fill), ...out.buttons,
       page.button({ id: 'help' }, 'help', help.open)),
     out.field,
-    make('div', { class: 'wide' }, values.box, steps.box),
-    make('section', {}, ...choosesTraces(page), ...diagram.elements),
+    make('div', { class: 'wide' }, values.box, steps.box), steps.printed,
+    make('section', {}, ...choosesPanels(page), ...choosesTraces(page), ...diagram.elements),
     help.dialog);
   page.says(document.querySelector('#sheet > summary'), 'sheet');
 

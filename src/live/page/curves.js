@@ -5,7 +5,7 @@ function choosesTraces(page) {
   const row = make('div', { class: 'row traces' });
   for (const panel of page.panels) {
     for (const { anchors, of, point } of panel.labels) {
-      const [kind, place] = anchors[0][0];
+      const [[kind, place], beside] = anchors[0];
       // What stands under a layer has its path in the panel of its own.
       const isPoint = anchors.length === 1 && kind === 1 && of !== undefined && (panel.data.layer ? place >= panel.data.own : point);
       if (!isPoint || !moves(page, panel, place)) continue;
@@ -16,7 +16,7 @@ function choosesTraces(page) {
       let path = null;
       const draw = () => {
         if (!path) {
-          path = makeInk('path', { class: 'trace', d: tracePath(page.course, panel, place) });
+          path = makeInk('path', { class: 'trace', d: tracePath(page.course, panel, place, beside) });
           panel.svg.prepend(path);
         }
         visible(path, box.checked);

@@ -35,27 +35,32 @@ function showDiagrams(page) {
     return least;
   }
 
-  /** In words what leaves the panel, the longest vector that does, and what crosses too flat. @param {Panel} panel */
+  /** Where vectors leave a panel, by its index: arrows at its border. */
+  const cuts = panels.map(({ svg }) => svg.appendChild(makeInk('path', { class: 'cut' })));
+
+  /** In words what leaves the panel, with its length, and what crosses too flat. @param {Panel} panel */
   function beyond(panel) {
-    const [x0, y0, x1, y1] = panel.data.box;
-    let longest = 0, name = '';
+    const [x0, y0, x1, y1] = panel.data.box, said = [];
+    let arrows = '';
     for (const ink of panel.ink) {
-      if (ink.move !== 'vector' || !live.quantities[ink.quantity]) continue;
+      if (ink.move !== 'vector' || !live.quantities[ink.quantity] || ink.element.getAttribute('visibility') === 'hidden') continue;
       const [a, b] = ink.at.map((/** @type {number} */ i) => panel.now[i]);
       if (!a || !b || (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1)) continue;
-      const length = sizeOf(minus(b, a));
-      if (length > longest) [longest, name] = [length, ink.quantity];
+      const d = minus(b, a), length = sizeOf(d), name = lineText(page.symbolOf(ink.quantity));
+      said.push(filled(page.words.beyond, { name, length: `${plainText(withPower(length))}\u00a0mm` }));
+      const ends = [d.x > 0 ? (x1 - a.x) / d.x : (x0 - a.x) / d.x, d.y > 0 ? (y1 - a.y) / d.y : (y0 - a.y) / d.y];
+      const part = Math.min(...ends.filter((end) => end > 0)), u = { x: d.x / length, y: d.y / length };
+      if (part < 1) arrows += [0, -2.5].map((by) => headOf(plus(plus(a, d, part), u, by), u, 2.5)).join(' ');
     }
+    cuts[panel.index].setAttribute('d', arrows);
     const angle = flattest(panel);
-    const flat = angle < FLAT ? ` ${filled(page.text.flat, { angle: degrees(angle) })}` : '';
-    if (name === '') return flat;
-    const said = filled(page.words.beyond, { name: name.replace(/[<&]/g, ''), length: `${plainText(withPower(longest))}\u00a0mm` });
-    return ` · ${said}${flat}`;
+    if (angle < FLAT) said.push(filled(page.text.flat, { angle: degrees(angle) }));
+    return said.join(' · ');
   }
 
   /** A sentence of so many; nothing of none. */
   function said(/** @type {number} */ count, /** @type {string} */ several, /** @type {string} */ one) {
-    return count === 0 ? '' : ` · ${filled(count === 1 ? one : several, { count: String(count) })}`;
+    return count === 0 ? '' : filled(count === 1 ? one : several, { count: String(count) });
   }
 
   page.add({
@@ -72,7 +77,7 @@ function showDiagrams(page) {
         }
         const { no_room: names, no_room_one: name, not_moving: strokes, not_moving_one: stroke } = page.words;
         const still = page.isOwn ? 0 : data.still;
-        setText(byId(`beyond${index}`), (data.polygon ? beyond(panel) : said(still, strokes, stroke)) + said(panel.crowded, names, name));
+        setText(byId(`beyond${index}`), [data.polygon ? beyond(panel) : said(still, strokes, stroke), said(panel.crowded, names, name)].filter(Boolean).join(' · '));
       }
     },
     speak() {
@@ -83,6 +88,23 @@ function showDiagrams(page) {
       });
     },
   });
+}
+
+/** Which panels are open. @param {Page} page */
+function choosesPanels(page) {
+  const { panels, live: { opens } } = page, row = make('div', { class: 'row traces' });
+  if (panels.length < 2) return [];
+  const choices = panels.map(({ index }) => {
+    const box = make('input', { type: 'checkbox' }), name = make('span'), figure = byId(`figure${index}`);
+    const turn = () => { figure.hidden = !box.checked; };
+    box.checked = !opens.closed.includes(index);
+    on(box, 'change', turn);
+    turn();
+    row.append(make('label', {}, box, name));
+    return name;
+  });
+  page.add({ speak: () => { choices.forEach((name, i) => setRich(name, page.text.panels[i])); } });
+  return [page.says(make('h2', { class: 'traces' }), 'panels'), row];
 }
 
 /** Panels that fill the window. @param {Page} page */

@@ -6,6 +6,7 @@ class Track {
     this.course = course;
     const { range, whole_turn: whole } = course.live.variable;
     [this.from, this.to] = range;
+    this.whole = whole;
     /** Ranges that can be gone through without taking anything apart. @type {{from: number, to: number, apart: boolean}[]} */
     this.regions = [];
     for (const stretch of course.stretches) {
@@ -45,7 +46,12 @@ class Track {
     const joined = this.round && other && !other.apart && !region.apart
       && [region, other].every((r) => r.from === this.from || r.to === this.to);
     if (joined) return { at: wish, stopped: false };
-    return { at: wish < region.from ? region.from : region.to, stopped: true };
+    // Round a whole turn either end may be the nearer one.
+    const off = (/** @type {number} */ end) => {
+      const way = Math.abs(end - wish), turn = this.to - this.from;
+      return this.whole ? Math.min(way, turn - way) : way;
+    };
+    return { at: off(region.from) < off(region.to) ? region.from : region.to, stopped: true };
   }
 }
 

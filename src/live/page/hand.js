@@ -11,6 +11,16 @@ function moves(/** @type {Page} */ page, /** @type {Panel} */ panel, /** @type {
   return seen.some((p) => sizeOf(minus(p, seen[0])) > 1e-6);
 }
 
+/** So near to a limit the hand has come back to it, mm. */
+const BACK = 12;
+
+/** How far a point is from a stroke. */
+function offStroke(/** @type {any} */ point, /** @type {any} */ from, /** @type {any} */ to) {
+  const d = minus(to, from), n = d.x * d.x + d.y * d.y, own = minus(point, from);
+  const part = n > 0 ? Math.min(1, Math.max(0, (own.x * d.x + own.y * d.y) / n)) : 0;
+  return sizeOf(minus(point, plus(from, d, part)));
+}
+
 /** @param {Page} page @param {() => void} halt stops the playing */
 function handLeads(page, halt) {
   const { panels: [skeleton], track, course, variable } = page, { svg } = skeleton;
@@ -42,10 +52,21 @@ function handLeads(page, halt) {
       halt();
       event.preventDefault();
     });
+    // A finger that leads does not scroll the page: not every browser heeds the style of ink for that.
+    element.addEventListener('touchstart', (event) => {
+      if (/** @type {TouchEvent} */ (event).touches.length === 1) event.preventDefault();
+    }, { passive: false });
     on(element, 'pointermove', (event) => {
       const at = event.pointerId === held.pointer && here(event);
       if (!at) return;
       page.dragged = true;
+      // Beyond a limit nothing moves until the hand has come back to it.
+      const limit = globalOf(held.spot[0], held.spot[1], skeleton.now), last = held.beyond.at(-1);
+      if (last && limit && offStroke(limit, last, at) > BACK) {
+        held.beyond.push(at);
+        page.queue();
+        return;
+      }
       const found = seekSpot(course, track, skeleton, held.spot, at, page.at, most);
       held.beyond = found.stopped ? [...held.beyond, at] : [];
       page.goes(found);
@@ -68,7 +89,7 @@ function handLeads(page, halt) {
     const grip = makeInk('circle', { class: 'grip', r: '6' });
     layer.append(grip);
     grips.push({ place, grip });
-    hold(grip, () => [[1, place], [0, 0]]);
+    hold(grip, (at) => [[1, place], localOf([1, place], at, skeleton.now)]);
   });
   // A stroke between two places is thin: beside it is as good, and any other ink by itself.
   for (const ink of skeleton.ink) {

@@ -89,6 +89,7 @@ class Panel {
   constructor(live, index) {
     this.index = index;
     this.data = live.panels[index];
+    this.quantities = live.quantities;
     this.siPerMm = this.data.si_per_mm;
     this.svg = /** @type {SVGSVGElement} */ (document.getElementById(`panel${index}`));
     /** @type {any[]} */
@@ -153,9 +154,12 @@ class Panel {
       visible(ink.element, drawn);
       ink.element.classList.toggle('fresh', drawn && ink.step === step);
       // What is read off the ink is that of this position.
-      if (drawn && ink.move === 'vector' && ink.element.dataset.value) {
-        const [a, b] = ink.at.map((/** @type {number} */ i) => seen[i]);
-        ink.element.dataset.value = String(sizeOf(minus(b, a)) * this.siPerMm / this.data.unit);
+      if (drawn && ink.element.dataset.value) {
+        const own = this.quantities[ink.quantity];
+        if (ink.move === 'vector') {
+          const [a, b] = ink.at.map((/** @type {number} */ i) => seen[i]);
+          ink.element.dataset.value = String(sizeOf(minus(b, a)) * this.siPerMm / this.data.unit);
+        } else if (own?.outputs.length === 1) ink.element.dataset.value = String(Number(outputs[own.outputs[0]]) / own.si);
       }
     }
     this.place(seen, at, step, outputs);

@@ -2,7 +2,7 @@
 
 /** @param {Page} page */
 function highlights(page) {
-  const { live, panels: [skeleton] } = page;
+  const { live, panels } = page, [skeleton] = panels;
   const vectors = allOf('#stage .vector');
   const links = allOf('#stage [data-link]:not([data-quantity])');
   /** @type {string | null} */
@@ -11,6 +11,8 @@ function highlights(page) {
   let hovered = null;
   /** @type {string | null} */
   let hoveredLink = null;
+  /** @type {string | null} */
+  let pinnedLink = null;
   const line = makeInk('path', { class: 'beside' });
   skeleton.svg.append(line);
   /** Of what is lit the points to whose line it is parallel or square, by their places. @type {number[]} */
@@ -36,7 +38,7 @@ function highlights(page) {
   }
 
   function light() {
-    const lit = hovered || pinned, link = hoveredLink || linkOf(lit);
+    const lit = hovered || pinned, own = hoveredLink || pinnedLink, link = own || linkOf(lit);
     const claims = vectors.filter((one) => lit && one.dataset.quantity === lit)
       .map((one) => one.dataset.parallel || one.dataset.perpendicular).filter(Boolean);
     const places = String(claims[0] || '').split(' ').map(placeNamed);
@@ -44,9 +46,9 @@ function highlights(page) {
     show();
     for (const element of links) element.classList.toggle('lit', link !== null && element.dataset.link === link);
     for (const element of allOf('#live [data-quantity], #live [data-of]')) {
-      const own = element.dataset.quantity, of = (element.dataset.of || '').split(' ');
-      const byLink = hoveredLink !== null && linkOf(own) === hoveredLink;
-      element.classList.toggle('lit', byLink || (lit !== null && (own === lit || of.includes(lit))));
+      const { quantity, of = '' } = element.dataset;
+      const byLink = own !== null && linkOf(quantity) === own;
+      element.classList.toggle('lit', byLink || (lit !== null && (quantity === lit || of.split(' ').includes(lit))));
     }
     follow(pinned);
   }
@@ -67,10 +69,36 @@ function highlights(page) {
     light();
   }
 
-  for (const element of allOf('#stage [data-quantity]')) {
+  for (const element of allOf('#stage [data-quantity]:not(.vector)')) {
     const { quantity } = element.dataset;
     listen(element, quantity);
     on(element, 'click', () => { if (!page.dragged) pin(quantity); });
+  }
+  // A vector is thin: the nearest one is meant, of those that are near enough for a mouse or a finger.
+  for (const panel of panels) {
+    const near = (/** @type {any} */ event) => {
+      const matrix = panel.svg.getScreenCTM();
+      if (!matrix) return null;
+      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+      let least = (event.pointerType === 'touch' ? 18 : 6) / matrix.a, nearest = null;
+      for (const ink of panel.ink) {
+        const [a, b] = ink.move === 'vector' ? ink.at.map((/** @type {number} */ i) => panel.now[i]) : [];
+        if (!a || !b || !live.quantities[ink.quantity] || ink.element.getAttribute('visibility') === 'hidden') continue;
+        const off = offStroke(at, a, b);
+        if (off < least) [least, nearest] = [off, ink.quantity];
+      }
+      return nearest;
+    };
+    on(panel.svg, 'pointermove', (event) => {
+      if (page.playing || event.buttons) return;
+      const quantity = near(event);
+      if (quantity !== hovered && (quantity || !event.target.closest('[data-quantity]'))) hover(quantity)();
+    });
+    on(panel.svg, 'pointerleave', hover(null));
+    on(panel.svg, 'click', (event) => {
+      const quantity = !page.dragged && !event.target.closest('[data-quantity]:not(.vector)') && near(event);
+      if (quantity) pin(quantity);
+    });
   }
   // A link shows what it is that turns, and is shown by it.
   const hoverLink = (/** @type {string | null} */ link) => () => {
@@ -80,6 +108,11 @@ function highlights(page) {
   for (const element of links) {
     on(element, 'pointerenter', hoverLink(element.dataset.link));
     on(element, 'pointerleave', hoverLink(null));
+    on(element, 'click', () => {
+      if (page.dragged) return;
+      pinnedLink = pinnedLink === element.dataset.link ? null : element.dataset.link;
+      light();
+    });
   }
   page.add({ show });
   return {
@@ -89,6 +122,7 @@ function highlights(page) {
     followed(does) { follow = does; },
     letGo() {
       pinned = null;
+      pinnedLink = null;
       hover(null)();
     },
   };

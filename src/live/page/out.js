@@ -26,14 +26,14 @@ function drawings(page) {
   let down = 0, across = 0;
   for (const panel of page.panels) {
     const copy = /** @type {Element} */ (panel.svg.cloneNode(true));
-    copy.querySelectorAll('.grips, .reach, .beside, .way, .stop, [visibility=hidden]').forEach((own) => own.remove());
+    copy.querySelectorAll('.grips, .reach, .cut, .beside, .way, .stop, [visibility=hidden]').forEach((own) => own.remove());
     copy.querySelectorAll('[class=""]').forEach((own) => own.removeAttribute('class'));
     const [x, y, width, height] = (copy.getAttribute('viewBox') || '').split(' ').map(Number);
     const group = makeInk('g', { transform: `translate(${mm(-x)} ${mm(down - y)})` });
     group.append(...copy.childNodes);
     const own = group.querySelector('g');
     group.append(leaders(panel));
-    if (own) having(own, { 'data-si-per-mm': String(panel.siPerMm), 'data-at': String(page.place()) });
+    if (own) having(own, { 'data-si-per-mm': String(panel.siPerMm), 'data-at': page.exact() });
     all.append(group);
     down += height;
     across = Math.max(across, width);
@@ -80,6 +80,14 @@ function givesAway(page) {
   });
   const save = (/** @type {string} */ text, /** @type {string} */ name, /** @type {string} */ kind) => give(text, () => download(text, name, kind));
 
+  /** In a sandboxed frame nothing is printed, and nothing says so. */
+  function prints() {
+    let begun = false;
+    window.addEventListener('beforeprint', () => { begun = true; }, { once: true });
+    window.print();
+    if (!begun) page.say(page.words.no_print);
+  }
+
   return {
     field,
     buttons: [
@@ -87,7 +95,7 @@ function givesAway(page) {
       page.button({ id: 'save' }, 'save', () => save(drawings(page), 'drawing.svg', 'image/svg+xml')),
       page.button({ id: 'table' }, 'save_table', () => save(csv(page), 'values.csv', 'text/csv')),
       page.button({ id: 'link' }, 'link_here', () => copy(`${location.href.split('#')[0]}#${page.address()}`)),
-      page.button({ id: 'print' }, 'print', () => window.print()),
+      page.button({ id: 'print' }, 'print', prints),
     ],
   };
 }

@@ -92,6 +92,11 @@ class Page {
     setText(this.message, text);
   }
 
+  /** What a table of values is. */
+  valuesHere() {
+    return [this.words.values, this.words.here].join(this.text.rtl ? '، ' : ', ');
+  }
+
   /** A quantity as the sheet calls it. @param {string} name */
   symbolOf(name) {
     return this.text.symbols[name] || name;

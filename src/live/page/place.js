@@ -21,12 +21,12 @@ function sliderMarks(page) {
   return marks;
 }
 
-/** @param {Page} page @param {any} travel @param {() => string} pinnedText */
-function showsPlace(page, travel, pinnedText) {
+/** @param {Page} page @param {any} travel @param {() => string} pinnedText @param {(panel: Panel) => string} panelText what a panel shows, in words */
+function showsPlace(page, travel, pinnedText, panelText) {
   const [from, to] = page.variable.range.map(String);
   const slider = page.says(make('input', { type: 'range', id: 'at', step: 'any', min: from, max: to, dir: 'ltr' }), 'of_input', 'aria-label');
   const field = make('input', { class: 'number', id: 'exact', inputmode: 'decimal', autocomplete: 'off', dir: 'ltr' });
-  const state = make('p', { id: 'state', class: 'unseen' });
+  const state = make('p', { id: 'state', class: 'unseen', 'aria-live': 'polite' });
   // In print the position stands where on the screen the slider is.
   const here = make('p', { id: 'here' });
   byId('stage').before(here);
@@ -40,7 +40,7 @@ function showsPlace(page, travel, pinnedText) {
     field.setAttribute('aria-invalid', String(!Number.isFinite(value)));
     if (Number.isFinite(value)) travel.wish(page.home(value));
     else if (text !== '') {
-      page.say(filled(page.words.not_a_number, { text, unit: page.unitSign() }));
+      page.say(filled(page.variable.kind === 'angle' ? page.words.not_a_number : page.words.not_a_length, { text, unit: page.unitSign() }));
       return;
     }
     page.draw();
@@ -60,7 +60,9 @@ function showsPlace(page, travel, pinnedText) {
       // Half a second after rest, never while it plays.
       clearTimeout(resting);
       resting = setTimeout(() => {
-        setText(state, `${page.words.position}: ${text}`);
+        const said = `${page.words.position}: ${text}`;
+        setText(state, said);
+        for (const panel of page.panels) setText(byId(`state${panel.index}`), `${said}${panelText(panel)}`);
         remember(page.address());
       }, 500);
     },

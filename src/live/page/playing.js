@@ -5,7 +5,8 @@ function plays(page) {
   const { track, span, variable, live, calm } = page;
   const button = page.button({ id: 'play' }, '', play), pace = make('span', { dir: 'auto' });
   const field = make('input', { type: 'number', min: '1', max: '120', value: String(live.seconds), class: 'number', dir: 'ltr' });
-  let way = 1, before = 0, sum = 0;
+  // As the mechanism turns in truth.
+  let way = variable.rate < 0 ? -1 : 1, before = 0, sum = 0, told = 0;
 
   const seconds = () => Math.max(1, Number(field.value) || live.seconds);
 
@@ -13,6 +14,7 @@ function plays(page) {
     if (!page.playing) return;
     page.playing = false;
     speak();
+    page.queue();
   }
 
   function play() {
@@ -32,16 +34,20 @@ function plays(page) {
   function tick(now) {
     if (!page.playing) return;
     if (before > 0) {
-      sum += way * Math.min(0.25, (now - before) / 1000) * span / seconds();
-      // With reduced motion it goes in steps.
-      const least = calm.matches ? (variable.kind === 'angle' ? Math.PI / 12 : span / 24) : 0;
-      if (Math.abs(sum) > least) {
-        const found = track.go(page.at, sum);
+      sum += Math.min(0.25, (now - before) / 1000);
+      // With reduced motion it goes by a step in a second.
+      if (!calm.matches || sum >= 1) {
+        const step = calm.matches ? (variable.kind === 'angle' ? Math.PI / 12 : span / 24) : sum * span / seconds();
+        const found = track.go(page.at, way * step);
         sum = 0;
         page.at = found.at;
         if (found.stopped) {
           way = -way;
-          page.say(page.words.reached_limit);
+          told = now;
+          page.say(page.words.turns_back);
+        } else if (told > 0 && now - told > 2000) {
+          told = 0;
+          page.say('');
         }
         page.draw();
       }

@@ -18,7 +18,9 @@ function answers() {
   };
   for (const field of form.querySelectorAll('input')) {
     const empty = field.value.trim() === '';
-    const value = typed(field.value);
+    // A unit that stands beside the field may stand in it as well.
+    const shown = field.dataset.part === 'direction' ? '°' : field.dataset.unit || '°', text = field.value.trim();
+    const value = typed(text.endsWith(shown) ? text.slice(0, -shown.length) : text);
     // A magnitude carries no sign.
     mark(field, !empty && !(Number.isFinite(value) && (value >= 0 || field.dataset.part !== 'magnitude')));
     if (empty || !Number.isFinite(value)) continue;

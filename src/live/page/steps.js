@@ -65,7 +65,10 @@ function showsSteps(page, light) {
   const body = page.says(make('div', { class: 'scroll', tabindex: '0', role: 'region' }), 'steps', 'aria-label');
   const box = make('section', {}, page.says(make('h2'), 'steps'), make('div', { class: 'row' },
     page.button({ id: 'back' }, 'back', () => to(page.step - 1)), make('div', { id: 'slide2' }, slider),
-    page.button({ id: 'on' }, 'on', () => to(page.step + 1))), title, body, note);
+    page.button({ id: 'on' }, 'on', () => to(page.step + 1)), page.button({ id: 'draw' }, 'draw', grow)), title, body, note);
+  // On paper all steps stand together, where no one is chosen.
+  const printed = make('section', { class: 'printed' });
+  on(window, 'beforeprint', () => printed.replaceChildren(...(page.step > last ? page.text.steps.map(wholeStep) : [])));
   on(slider, 'input', () => to(Number(slider.value)));
   /** Quantities of the step. @type {{quantity: any, value: Element, sense: Element}[]} */
   let values = [];
@@ -98,13 +101,36 @@ function showsSteps(page, light) {
       on(cell, 'click', () => light.pin(names[i]));
       return linked(cell, names[i]);
     };
-    return make('table', {}, ...equation.map((cells) => make('tr', {}, ...cells.map(cellOf))));
+    return make('table', { dir: 'ltr' }, ...equation.map((cells) => make('tr', {}, ...cells.map(cellOf))));
+  }
+
+  /** A step with all that can be said of it here. @param {any} said */
+  function wholeStep(said) {
+    const own = [...texts], head = make('h3'), tables = said.equations.map(equationTable);
+    const lines = said.sentences.map((/** @type {any} */ text) => living(make('li'), text));
+    for (const { element, text } of texts.slice(own.length)) {
+      const here = textHere(text);
+      if (here === null) element.remove();
+      else setRich(element, here);
+    }
+    texts = own;
+    setRich(head, said.head);
+    return make('div', {}, head, ...tables, make('ol', { class: 'said' }, ...lines.filter((/** @type {Element} */ line) => line.hasChildNodes())));
+  }
+
+  /** Lets the strokes of the step grow. */
+  function grow() {
+    if (page.calm.matches) return;
+    for (const ink of allOf('#stage .fresh path, #stage .fresh circle')) {
+      const length = ink.getTotalLength(), isStroke = (ink.getAttribute('fill') || 'none') === 'none';
+      ink.animate(isStroke ? [{ strokeDasharray: `0 ${length}` }, { strokeDasharray: `${length} 0` }] : [{ opacity: 0 }, { opacity: 0, offset: 0.9 }, { opacity: 1 }], 900);
+    }
   }
 
   /** The quantities that the step draws, with their values here. @param {string[]} names */
   function valueTable(names) {
     return make('table', {}, ...names.map((name) => {
-      const named = make('th', { scope: 'row' }), value = make('bdi'), sense = make('bdi');
+      const named = make('th', { scope: 'row', dir: 'ltr' }), value = make('bdi'), sense = make('bdi');
       setRich(named, page.symbolOf(name));
       values.push({ quantity: live.quantities[name], value, sense });
       return linked(make('tr', {}, named, make('td', {}, value), make('td', {}, sense)), name);
@@ -126,7 +152,7 @@ function showsSteps(page, light) {
     if (said) {
       const drawn = panels.flatMap((panel) => panel.ink.filter((ink) => ink.step === step && live.quantities[ink.quantity]).map((ink) => ink.quantity));
       body.append(...said.equations.map(equationTable));
-      if (drawn.length > 0) body.append(make('p', {}, `${words.values}, ${words.here}`), valueTable([...new Set(drawn)]));
+      if (drawn.length > 0) body.append(make('p', {}, page.valuesHere()), valueTable([...new Set(drawn)]));
       body.append(make('ol', { class: 'said' }, ...said.sentences.map((/** @type {any} */ text) => living(make('li'), text))));
     }
     show();
@@ -151,5 +177,5 @@ function showsSteps(page, light) {
   }
 
   page.add({ show, speak });
-  return { box, to };
+  return { box, printed, to };
 }

@@ -9,11 +9,9 @@ function courseNodes(/** @type {any} */ course) {
   return [...equalSteps(course.live.variable.range, PLACES), ...events].sort((a, b) => a - b);
 }
 
-/** Outputs over the course, one list for each stretch that hangs together: [[at, values], ...]. */
-function curves(/** @type {any} */ course, /** @type {number[]} */ outputs) {
-  const { program, live } = course;
-  const rows = outputs.map((i) => live.outputs[i].row);
-  const steps = program.behind(rows);
+/** Numbers over the course, one list for each part that hangs together: [[at, values], ...]. Where one is not known it
+ * hangs together no more. @param {(found: any) => (number | null)[]} values */
+function curves(/** @type {any} */ course, values) {
   const runs = [];
   let run = [], last = null;
   for (const at of courseNodes(course)) {
@@ -24,11 +22,10 @@ function curves(/** @type {any} */ course, /** @type {number[]} */ outputs) {
     }
     last = stretch;
     if (!stretch) continue;
-    program.run(steps, at, stretch.signs);
-    const values = rows.map((row, i) => counted(live.outputs[outputs[i]], program.quick[row]));
+    const here = values(course.look(at)), known = !here.includes(null);
     const ends = course.events.some((/** @type {any} */ event) => event.kind === 'limit' && event.at === at);
-    if (values.every(Number.isFinite) && !(ends && run.length === 0)) run.push([at, values]);
-    if (ends || !values.every(Number.isFinite)) {
+    if (known && !(ends && run.length === 0)) run.push([at, here]);
+    if (ends || !known) {
       if (run.length > 1) runs.push(run);
       run = [];
     }
@@ -37,13 +34,13 @@ function curves(/** @type {any} */ course, /** @type {number[]} */ outputs) {
   return runs;
 }
 
-/** The path of a place of a panel over the course. */
-function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @type {number} */ place) {
+/** The path over the course of what stands beside a place of a panel. */
+function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @type {number} */ place, /** @type {number[]} */ [dx, dy]) {
   const terms = panel.data.places[place];
   const outputs = terms.flatMap((/** @type {number[]} */ term) => [term[1], term[1] + 1]);
   const [x0, y0, x1, y1] = panel.data.box;
   let path = '';
-  for (const run of curves(course, outputs)) {
+  for (const run of curves(course, (found) => outputs.map((output) => found[output]))) {
     let pen = false;
     for (const [, values] of run) {
       let x = 0, y = 0;
@@ -51,7 +48,7 @@ function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @t
         x += term[0] * values[2 * i];
         y += term[0] * values[2 * i + 1];
       });
-      const px = (x - panel.data.origin[0]) / panel.siPerMm, py = -(y - panel.data.origin[1]) / panel.siPerMm;
+      const px = (x - panel.data.origin[0]) / panel.siPerMm + dx, py = -(y - panel.data.origin[1]) / panel.siPerMm + dy;
       const inside = px > x0 && px < x1 && py > y0 && py < y1;
       if (inside) path += `${pen ? 'L' : 'M'}${px.toFixed(3)} ${py.toFixed(3)}`;
       pen = inside;
@@ -100,9 +97,13 @@ class CurveDiagram {
 
   /** @param {any} quantity @param {number} axis @param {any} variable */
   draw(quantity, axis, variable) {
-    const outputs = axis < 0 ? quantity.outputs : [quantity.outputs[axis]];
-    const runs = curves(this.course, outputs).map((run) => run.map(([at, values]) =>
-      [at, (axis < 0 && values.length === 2 ? Math.hypot(values[0], values[1]) : values[0]) / quantity.si]));
+    const { course } = this, own = quantity.outputs, isSize = axis < 0 && own.length === 2;
+    const number = (/** @type {any} */ found) => {
+      const index = own[Math.max(0, axis)];
+      if (found[index] === null || (isSize && found[index + 1] === null)) return null;
+      return isSize ? clearVector(course, found, index)[0] : clearNumber(course, found, index);
+    };
+    const runs = curves(course, (found) => [number(found)]).map((run) => run.map(([at, [value]]) => [at, value / quantity.si]));
     const sizes = runs.flat().map((node) => node[1]).sort((a, b) => a - b);
     if (sizes.length === 0) return { low: 0, high: 0 };
     // Where it grows without end the curve leaves the box.
@@ -112,7 +113,12 @@ class CurveDiagram {
     low -= room;
     high += room;
     const y = (/** @type {number} */ value) => Math.min(1000, Math.max(-680, 320 - (value - low) / (high - low) * 320)).toFixed(1);
-    this.curve.setAttribute('d', runs.map((run) => run.map((node, i) => `${i ? 'L' : 'M'}${this.xOf(node[0]).toFixed(1)} ${y(node[1])}`).join('')).join(''));
+    // From beyond one border to beyond the other it goes through infinity, not through the box.
+    const side = (/** @type {number} */ value) => (value > high ? 1 : value < low ? -1 : 0);
+    this.curve.setAttribute('d', runs.map((run) => run.map((node, i) => {
+      const through = i > 0 && side(node[1]) * side(run[i - 1][1]) < 0;
+      return `${i && !through ? 'L' : 'M'}${this.xOf(node[0]).toFixed(1)} ${y(node[1])}`;
+    }).join('')).join(''));
     this.zero.setAttribute('d', `M0 ${y(0)} H1000`);
     this.tick(low, high, variable);
     return { low: low + room, high: high - room };

@@ -26,12 +26,19 @@ function clearNumber(/** @type {any} */ { program, live }, /** @type {any} */ ou
   return program.isClear(live.outputs[index].row) ? outputs[index] : 0;
 }
 
-/** The size of the vector whose first coordinate is an output, and its direction; zero as a number is. */
-function clearVector(/** @type {any} */ { program, live }, /** @type {any} */ outputs, /** @type {number} */ index) {
-  const [x, y] = [0, 1].map((axis) => outputs[index + axis]);
-  const bound = Math.hypot(program.error(live.outputs[index].row), program.error(live.outputs[index + 1].row)) * CLEAR;
-  const size = Math.hypot(x, y);
-  return size <= bound ? [0, 0] : [size, angleOf(y, x)];
+/** The size of the vector whose first coordinate is an output, and its direction; zero where neither coordinate is told
+ * from zero. */
+function clearVector(/** @type {any} */ course, /** @type {any} */ outputs, /** @type {number} */ index) {
+  const clear = [0, 1].some((axis) => clearNumber(course, outputs, index + axis) !== 0);
+  const [x, y] = [outputs[index], outputs[index + 1]];
+  return clear ? [Math.hypot(x, y), angleOf(y, x)] : [0, 0];
+}
+
+/** A vector on the paper of its panel: its length and the scale, whose product it is; nothing of what is a point there. */
+function paperText(/** @type {Page} */ { course, outputs }, /** @type {any} */ { outputs: [x, y], si }, /** @type {number} */ siPerMm) {
+  if (outputs[x] === null || outputs[y] === null) return '';
+  const [size] = clearVector(course, outputs, x);
+  return isPoint(size / siPerMm) ? '' : `${readOff(size / siPerMm, siPerMm / si, size / si, 0)[0]}\u00a0mm\u00a0×\u00a0${stated(siPerMm / si)}`;
 }
 
 /** A number that begins with an output, in a unit: with the figures with which the steps tell it, or so many more than usual. */
@@ -72,8 +79,9 @@ function reasonOf(/** @type {number[]} */ outputs, /** @type {any} */ course, /*
     for (const index of live.behind[output]) {
       const [row, reason] = program.divisors[index];
       const links = live.reasons[reason] || [];
-      if (!program.isClear(row) && links.length > 0) {
-        return `${words.not_here}: ${filled(words.in_line, { links: links.join(', ') })}`;
+      const own = [...new Set(links)];
+      if (!program.isClear(row) && own.length > 1) {
+        return `${words.not_here}: ${filled(words.in_line, { links: own.join(', ') })}`;
       }
     }
   }
