@@ -47,6 +47,27 @@ fn terms(table: &Group) -> (String, Vec<(String, String)>) {
     (unit.unwrap_or_default(), head.iter().filter_map(under).collect())
 }
 
+/// A coupler that is driven, a slider on its one end and a rocker on the other.
+pub(crate) const DRIVEN_ROD: &str = r#"{"units": {"length": "cm"}, "fixed": {"O2": [0.0, 0.0]}, "links": {"4": {"joins": ["O2", "A", "C"],
+    "shape": {"O2": [-2.829, 3.809], "A": [-2.352, -0.791], "C": [-2.181, -0.138]}}, "3": {"joins": ["A",
+    "B", "D"], "shape": {"A": [0.601, 6.807], "B": [7.86, 16.187], "D": [1.967, 17.417]}}},
+    "near": {"A": [4.1, -2.2], "B": [10.0, 8.1], "C": [3.6, -1.7], "D": [4.0, 8.5]}, "slides": [{"pin": "B",
+    "block": 2, "on": {"link": 1, "through": [-0.407, 1.204], "angle": 213.3}}], "input": {"link": 3,
+    "angle": 59.84, "omega": "10.44 rad/s cw"}, "masses": {"4": {"mass": 2.95, "at": "C",
+    "inertia": 0.0016}, "3": {"mass": 2.4, "at": [-2.8, -0.3], "inertia": 0.0156}, "2": {"mass": 0.92}},
+    "loads": [{"on": 4, "torque": 18.2}, {"on": 3, "at": "D", "force": [195.9, -219.7]}], "find": ["v(D)",
+    "Tin(3)", "F(4,3)", "moment(F(1,4),O2)", "T(3)", "v(A)", "F(3,2)", "Fin(2)", "x(D)", "alpha(3)", "a(D)",
+    "Tin(4)", "moment(F(1,2),O2)", "F(frame)", "Fin(4)", "Fin(3)", "angle(4)", "v(B)", "a(A)",
+    "moment(F(4,3),O2)", "omega(4)", "a(B)", "a(C)", "alpha(4)", "x(C)", "moment(F(3,2),O2)", "x(A)",
+    "v(C)", "F(1,4)", "x(B)", "angle(3)", "F(1,2)", "omega(3)"]}"#;
+
+/// A four-bar clamp with a torque that is sought on its crank.
+const CLAMP: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [120, 0]}, "links": {"2": {"joins": ["O2",
+    "A"], "length": 60}, "3": {"joins": ["A", "B", "H"], "line": [0, 80, 260]}, "4": {"joins": ["O4", "B"],
+    "length": 70}}, "near": {"B": [95, 62]}, "input": {"link": 2, "angle": 75, "omega": "1 rad/s cw"},
+    "loads": [{"on": 3, "at": "H", "force": "150 N", "direction": -90, "name": "P"}, {"on": 2,
+    "torque": "?", "name": "M"}], "find": ["load(M)", "F(3,4)", "F(1,2)", "F(2,3)"]}"#;
+
 /// Sheets with pairs and forces of every kind besides those whose looks are judged.
 fn sheets() -> Vec<(String, Figure)> {
     let folder = common::root().join("examples");
@@ -64,7 +85,31 @@ fn sheets() -> Vec<(String, Figure)> {
         };
         all.push((name, sheet::solution(&scene, &solved.solution.construction, Language::English)));
     }
+    for (name, text) in [("driven rod", DRIVEN_ROD), ("clamp", CLAMP)] {
+        let scene = common::read(text);
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        all.push((
+            name.to_owned(),
+            sheet::solution(&scene, &solved.solution.construction, Language::English),
+        ));
+    }
     all
+}
+
+/// The torque of a driven rod hangs on the forces that its polygon gives, and a torque that is sought on a crank on that of
+/// the crank's pin: each is told after what it uses, by moments and without a trial.
+#[test]
+fn a_torque_is_told_after_the_forces_on_which_it_hangs() {
+    let sheets = sheets();
+    let lines = |name: &str| sentences(&sheets.iter().find(|(own, _)| own == name).unwrap().1);
+    let place = |lines: &[String], what: &str| lines.iter().position(|line| line.contains(what));
+    let rod = lines("driven rod");
+    let read = place(&rod, "Read F_43").unwrap();
+    let torque = place(&rod, "T_3\u{a0}=").unwrap();
+    assert!(read < torque, "{rod:#?}");
+    let clamp = lines("clamp");
+    assert!(place(&clamp, "M\u{a0}= F_32\u{a0}·").is_some(), "{clamp:#?}");
+    assert!(clamp.iter().all(|line| !line.contains("In proportion")), "{clamp:#?}");
 }
 
 /// The symbol of a velocity or an acceleration of a point, or of a rate of a link.

@@ -796,6 +796,8 @@ impl Computed<'_> {
                 };
                 self.line(of(CycleQuantity::Flywheel, "kg*m^2")?, &factors, set, reckon)
             }),
+            asked(CycleQuantity::Most).then(|| self.fastest(CycleQuantity::Most, "max")),
+            asked(CycleQuantity::Least).then(|| self.fastest(CycleQuantity::Least, "min")),
         ];
         (
             turns.into_iter().chain(mean.into_iter().flatten().flatten()).collect(),
@@ -870,6 +872,28 @@ impl Computed<'_> {
         let set = |n: &[Rich]| n[0].clone().up("\u{a0}×\u{a0}").then(&n[1]).up("²");
         let result = self.number(CycleQuantity::Inertia, "kg*m^2")?;
         self.line(result, &factors, set, |n| n[0] * n[1] * n[1])
+    }
+
+    /// ε = (T − T_m) / I, where T is a knot of the table.
+    fn fastest(&self, of: CycleQuantity, index: &str) -> Option<Rich> {
+        /// What differs by more is no knot of one table alone.
+        const ROUNDED: f64 = 1e-9;
+        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
+        let Sides::Torque(Course::Curve(Curve::Table { knots, .. })) = &cycle.sides else { return None };
+        let result = self.number(of, "rad/s^2")?;
+        let [mean, inertia] = [
+            self.number(CycleQuantity::Mean, "N*m")?,
+            self.number(CycleQuantity::Inertia, "kg*m^2").filter(|(_, _, value, _)| *value > 0.0)?,
+        ];
+        let gives =
+            |torque: &f64| ((torque - mean.2) / inertia.2 - result.2).abs() <= ROUNDED * result.2.abs();
+        let torque = knots.iter().map(|knot| knot[1].value).find(gives)?;
+        let factors = [(Rich::italic("T").sub(index), None, torque, "N*m"), mean, inertia];
+        let set = |n: &[Rich]| {
+            let over = Rich::upright("(").then(&n[0]).up("\u{a0}−\u{a0}").then(&n[1]);
+            over.up(")\u{a0}/\u{a0}").then(&n[2])
+        };
+        self.line(result, &factors, set, |n| (n[0] - n[1]) / n[2])
     }
 
     /// Where a torque by a table crosses its mean, the areas between, and the levels, each from the numbers before.

@@ -21,7 +21,7 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
 use crate::mechanism::friction::{FrictionCircle, Roughness, RubbedBy, RubbingPair};
-use crate::mechanism::quantity::{Asked, DiagramKind, Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, PointId, Roll};
 
@@ -52,6 +52,7 @@ pub fn told(
     all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
     all.push((ForcePanel::Arms, teller.asked_arms()));
+    all.push((ForcePanel::Whole, teller.shares()));
     // A head alone says nothing.
     all.retain(|(panel, items)| {
         let figure = matches!(panel, ForcePanel::Body(_) | ForcePanel::Together(_) | ForcePanel::Polygon(_));
@@ -787,28 +788,36 @@ impl Teller<'_> {
         items.extend(self.three_forces(index).map(Item::Sentence));
         let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
         items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
-        // What hangs on forces that only the polygon gives comes after it.
+        // Bodies that are told together: what hangs on forces that only their polygons give comes after these.
+        let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
+        let after = self.sheet.bodies[index..].iter().take_while(|body| body.with_next).count();
+        let together = &self.sheet.bodies[index - before..=(index + after).min(self.sheet.bodies.len() - 1)];
         let closes = |of: Turning| {
-            matches!(of, Turning::Force(action)
-                if body.acting.iter().any(|acting| acting.action == action && acting.closes))
+            let given = |action: Action, acting: &Acting| either(acting.action) == either(action);
+            matches!(of, Turning::Force(action) if together
+                .iter()
+                .flat_map(|body| &body.acting)
+                .any(|acting| given(action, acting) && acting.closes))
         };
         let later = |moments: &MomentBalance| {
             matches!(moments.found.of, Turning::Torque(_)) && moments.terms.iter().any(|term| closes(term.of))
         };
         let told = |later_ones: bool| {
             let plain = self.sheet.governor.is_none();
-            let own = self.sheet.moments.iter().filter(move |moments| plain && moments.told == index);
+            let first = if later_ones { index - before } else { index };
+            let own = self.sheet.moments.iter();
+            let own = own.filter(move |moments| plain && (first..=index).contains(&moments.told));
             own.filter(move |moments| later(moments) == later_ones)
         };
         // Each part is told beside the figure that shows it.
         let panels = ForcePanel::all(self.sheet);
-        let together = |moments: &MomentBalance| {
+        let own_panel = |moments: &MomentBalance| {
             let place = self.sheet.moments.iter().position(|own| std::ptr::eq(own, moments))?;
             Some(ForcePanel::Together(place)).filter(|panel| panels.contains(panel))
         };
         let mut panel = ForcePanel::Body(index);
         for moments in told(false) {
-            if let Some(own) = together(moments) {
+            if let Some(own) = own_panel(moments) {
                 parts.push((panel, std::mem::take(&mut items)));
                 panel = own;
             }
@@ -823,18 +832,19 @@ impl Teller<'_> {
             items.push(Item::Sentence(Rich::fill(template, &link)));
         }
         let by_lines = super::governor::without_polygon(self.sheet, index);
-        if let ([one, other], false) = (&body.acting[..], by_lines) {
+        if let ([one, other], false) = (&body.acting[..], by_lines || self.equal_at(index) != index) {
             items.extend(self.equal(one, other).map(Item::Sentence));
         }
         if body.with_next {
             parts.push((panel, items));
             return parts;
         }
-        let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
         // The polygon of a link on legs gives what closes theirs; so does that of a driven link on rods.
         let on_legs = |moments: &MomentBalance| {
-            let drives = before > 0 && matches!(moments.found.of, Turning::Torque(_));
-            moments.told == index && (drives || matches!(moments.about, About::Meet { .. }))
+            let drives = before > 0
+                && (index - before..=index).contains(&moments.told)
+                && matches!(moments.found.of, Turning::Torque(_));
+            drives || moments.told == index && matches!(moments.about, About::Meet { .. })
         };
         let first = self.sheet.moments.iter().any(on_legs).then_some(index);
         let last = first.map_or(index + 1, |first| first);
@@ -847,7 +857,20 @@ impl Teller<'_> {
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
         }
         items.extend(self.governor_body(index, true));
+        // What is the other force of an earlier body turned round, once that is known.
+        for earlier in (0..index).filter(|earlier| self.equal_at(*earlier) == index) {
+            if let ([one, other], false) = (
+                &self.sheet.bodies[earlier].acting[..],
+                super::governor::without_polygon(self.sheet, earlier),
+            ) {
+                items.extend(self.equal(one, other).map(Item::Sentence));
+            }
+        }
         for moments in told(true) {
+            if let Some(own) = own_panel(moments) {
+                parts.push((panel, std::mem::take(&mut items)));
+                panel = own;
+            }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
         let driver = |input: usize| matches!(body.of, Party::Link(link) if self.n.mechanism().driven_link(input) == Some(link));
@@ -861,6 +884,22 @@ impl Teller<'_> {
         }
         parts.push((panel, items));
         parts
+    }
+
+    /// The body at which it is told that the two forces on a body are one turned round: that at which the polygon gives the
+    /// one of which moments have given a part; else the body itself.
+    fn equal_at(&self, index: usize) -> usize {
+        let bodies = &self.sheet.bodies;
+        let [one, other] = &bodies[index].acting[..] else { return index };
+        let known = if one.closes { other } else { one };
+        let same = |action: Action| either(action) == either(known.action);
+        let in_parts = self.sheet.moments.iter().any(|moments| match moments.found.of {
+            Turning::Across(action) => moments.told == index && same(action),
+            _ => false,
+        });
+        let mut later = (index + 1..bodies.len()).filter(|later| !bodies[*later].with_next);
+        let gives = |later: &usize| bodies[*later].acting.iter().any(|acting| same(acting.action));
+        later.find(gives).filter(|_| in_parts).unwrap_or(index)
     }
 
     /// Three forces that meet in a point.
@@ -1539,6 +1578,38 @@ impl Teller<'_> {
                 let formula = self.symbol(action).up(DOT).then(&arm_name(self.sheet, &arm, self.n));
                 let line = self.line(symbol(of), formula, &factors, product, |n| n[0] * n[1], result);
                 items.push(Item::Sentence(line.word(self.n.sense(own.found.moment))));
+            }
+        }
+        items
+    }
+
+    /// What loads alone and inertia alone come to, where that is asked: the drawing without the one and without the other.
+    fn shares(&self) -> Vec<Item> {
+        let words = self.n.words;
+        let mut items = vec![self.head(Rich::upright(words.step_shares))];
+        let asked = || self.n.mechanism().asked.iter().zip(&self.construction.answers);
+        for (share, template) in [(Share::Static, words.share_static), (Share::Inertia, words.share_inertia)]
+        {
+            let told = asked().filter_map(|(asked, reading)| match (asked.quantity, &reading.answer) {
+                (Quantity::Force(force, own), Answer::Scalar { value, .. }) if own == share => {
+                    let size = match force.turns() {
+                        true => self.n.with_sense(human::quantity(value.abs(), &asked.unit), *value),
+                        false => human::quantity(*value, &asked.unit),
+                    };
+                    Some(self.n.symbol(asked.quantity, false).up(EQUALS).then(&size))
+                }
+                (Quantity::Force(_, own), Answer::Vector { value: [x, y], bound }) if own == share => {
+                    let size = libm::hypot(*x, *y);
+                    let told = human::quantity(if size <= *bound { 0.0 } else { size }, &asked.unit);
+                    let told = self.n.symbol(asked.quantity, false).up(EQUALS).then(&told);
+                    let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(*y, *x)));
+                    Some(if size <= *bound { told } else { told.up("\u{a0}").then(&angle) })
+                }
+                _ => None,
+            });
+            let told: Vec<Rich> = told.collect();
+            if !told.is_empty() && share != self.sheet.share {
+                items.push(Item::Sentence(Rich::fill(template, &[("list", self.n.list(&told))])));
             }
         }
         items

@@ -285,8 +285,10 @@ impl Draughtsman<'_> {
         }
         terms.retain(|term| term.moment != 0.0);
         if let Some(sought) = sought {
-            let place =
-                terms.iter().position(|term| matches!(term.of, Turning::Force(of) if same_pair(of, sought)));
+            let place = terms.iter().position(|term| match (term.of, sought) {
+                (Turning::Force(of), Turning::Force(sought)) => same_pair(of, sought),
+                (of, sought) => of == sought,
+            });
             found = place.map(|place| terms.remove(place));
         }
         let found = found?;
@@ -329,18 +331,23 @@ impl Draughtsman<'_> {
         moments
     }
 
-    /// The one load or spring that is sought, where it is a force on this link and on no other that moves.
-    pub(super) fn sought_on(&self, link: LinkId) -> Option<Action> {
+    /// The one load or spring that is sought, where it is a force or a torque on this link and on no other that moves.
+    pub(super) fn sought_on(&self, link: LinkId) -> Option<Turning> {
         let forces = &self.mechanism.forces;
         match self.mechanism.named_sought()[..] {
             [Sought::Load(index)] => {
                 let load = &forces.loads[index];
-                (load.link == link && !load.is_torque()).then_some(Action::Load(index))
+                let of = match load.is_torque() {
+                    true => Turning::Torque(Force::LoadTorque(index)),
+                    false => Turning::Force(Action::Load(index)),
+                };
+                (load.link == link).then_some(of)
             }
             [Sought::Spring(index)] => match forces.springs[index].kind {
                 SpringKind::Pull(ends) => {
                     let end = ends.iter().position(|(of, _)| *of == link)?;
-                    (ends[1 - end].0 == LinkId::FRAME).then_some(Action::Spring { index, end })
+                    let of = Turning::Force(Action::Spring { index, end });
+                    (ends[1 - end].0 == LinkId::FRAME).then_some(of)
                 }
                 SpringKind::Torsion(_) => None,
             },

@@ -111,7 +111,9 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     // What moments of the driven link give needs no trial.
     let forces = d.mechanism.forces.clone();
     let by_moments = |moments: &MomentBalance| match moments.found.of {
-        Turning::Force(Action::Load(index)) => forces.loads[index].is_sought(),
+        Turning::Force(Action::Load(index)) | Turning::Torque(Force::LoadTorque(index)) => {
+            forces.loads[index].is_sought()
+        }
         Turning::Force(Action::Spring { index, .. }) => forces.springs[index].is_sought(),
         _ => false,
     };
@@ -412,7 +414,10 @@ impl Draughtsman<'_> {
     /// The force that moments give whole, before any polygon.
     fn given_by_moments(&self, taken: &Taken) -> Option<Action> {
         match taken.found {
-            TakenFor::Effort(_) => taken.links.first().and_then(|link| self.sought_on(*link)),
+            TakenFor::Effort(_) => match taken.links.first().and_then(|link| self.sought_on(*link))? {
+                Turning::Force(action) => Some(action),
+                _ => None,
+            },
             TakenFor::Across { .. } => None,
             TakenFor::Along { pin, by, on, .. } => Some(match self.mechanism.parties_at(pin).len() {
                 0..=2 => Action::Pair { by, on },
