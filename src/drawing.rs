@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::check::{Unconfirmed, confirm, confirm_sweep};
+use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::{Answer, Dimension};
 use crate::parallel;
@@ -178,11 +179,11 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
             return Err(NoFigure::Wish(what.to_owned()));
         }
     }
-    let (extent, solved) = wish.solve(scene, &names)?;
-    let construction = &solved.solution.construction;
+    let (extent, solved) = wish.solve(scene, &names, &[])?;
     let language = wish.language(scene);
-    let compose = || {
-        Ok(match (wish.kind, &names[..]) {
+    let compose = |solved: &Solved| {
+        let construction = &solved.solution.construction;
+        Ok::<_, NoFigure>(match (wish.kind, &names[..]) {
             (Kind::Question, []) => sheet::question(scene, construction, language),
             (Kind::Question, _) => sheet::single_of_question(scene, construction, language),
             (Kind::Steps, _) => sheet::step_by_step(scene, construction, language),
@@ -194,12 +195,15 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
         })
     };
     // The sheet is composed while the other solver is at work.
-    let (confirmed, figure) = parallel::both(|| confirm(scene, &solved), compose);
-    let mut figure: Figure = match (figure, &confirmed) {
-        // What is wrong with the wish itself is told first.
-        (Err(error), _) => return Err(error),
-        (Ok(figure), _) => figure,
-    };
+    let (confirmed, figure) = parallel::both(|| confirm(scene, &solved), || compose(&solved));
+    // What is wrong with the wish itself is told first.
+    let (solved, mut figure) =
+        on_its_paper(scene, wish.kind, (solved, figure?), |smaller| -> Result<_, NoFigure> {
+            let (_, solved) = wish.solve(scene, &names, smaller)?;
+            let figure = compose(&solved)?;
+            Ok((solved, figure))
+        })?;
+    let construction = &solved.solution.construction;
     if let Err(why) = confirmed {
         figure = wish.noted(figure, why, language)?;
     }
@@ -211,6 +215,39 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
         return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
     }
     Ok(Drawn { figure, indeterminate: indeterminate(scene, construction) })
+}
+
+/// Scales with some others in their place.
+pub(crate) fn with(scales: Scales, others: &[(Dimension, f64)]) -> Scales {
+    others.iter().fold(scales, |scales, (dimension, scale)| scales.with(*dimension, *scale))
+}
+
+/// A sheet whose diagrams do not fit their paper, drawn again at smaller scales.
+pub(crate) fn on_its_paper<E>(
+    scene: &Scene,
+    kind: Kind,
+    first: (Solved, Figure),
+    again: impl Fn(&[(Dimension, f64)]) -> Result<(Solved, Figure), E>,
+) -> Result<(Solved, Figure), E> {
+    /// How often.
+    const AGAIN: usize = 4;
+    let (mut solved, mut figure) = first;
+    let mut smaller: Vec<(Dimension, f64)> = Vec::new();
+    // A question is on one page where it can be.
+    let pages = (kind == Kind::Question).then_some(1);
+    for _ in 0..AGAIN {
+        let next = |pages| sheet::scale::outgrown(scene, &solved.solution.construction, &figure, pages);
+        let (fitting, next) = (next(None).is_none(), next(pages));
+        let Some(next) = next else { break };
+        smaller.retain(|(dimension, _)| *dimension != next.0);
+        smaller.push(next);
+        let other = again(&smaller)?;
+        if fitting && other.1.pages().len() >= figure.pages().len() {
+            break;
+        }
+        (solved, figure) = other;
+    }
+    Ok((solved, figure))
 }
 
 /// The steps of the solution as frames of one size.
@@ -225,7 +262,7 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Film, NoFigure> {
     if !names.is_empty() {
         return Err(NoFigure::Wish("--as steps draws all figures; leave out --figure".to_owned()));
     }
-    let (_, solved) = wish.solve(scene, &names)?;
+    let (_, solved) = wish.solve(scene, &names, &[])?;
     let language = wish.language(scene);
     let film = || {
         let frames = sheet::film(scene, &solved.solution.construction, language).into_iter();
@@ -293,7 +330,13 @@ impl Wish {
         Ok(names.iter().map(String::as_str).collect())
     }
 
-    fn solve(&self, scene: &Scene, names: &[&str]) -> Result<(Extent, Solved), NoFigure> {
+    /// Solves, with the scales of the page but for some that are smaller.
+    fn solve(
+        &self,
+        scene: &Scene,
+        names: &[&str],
+        smaller: &[(Dimension, f64)],
+    ) -> Result<(Extent, Solved), NoFigure> {
         let scales = match self.kind {
             Kind::Question => sheet::scale::for_question,
             Kind::Steps => sheet::scale::for_steps,
@@ -303,7 +346,8 @@ impl Wish {
         let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
         let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
         let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(NoFigure::Wish)?;
-        Ok((extent, solve_with(scene, extent, &auxiliary, self.settings, scales)?))
+        let choose = |scene: &Scene, extents| with(scales(scene, extents), smaller);
+        Ok((extent, solve_with(scene, extent, &auxiliary, self.settings, choose)?))
     }
 }
 

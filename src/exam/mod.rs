@@ -29,8 +29,10 @@ pub use qti::{QtiError, package};
 
 use crate::board::Hand;
 use crate::check::{NotConfirmed, Unconfirmed, solve_confirmed};
-use crate::drawing::with_what_is_missing;
+use crate::drawing::{self, Kind, with_what_is_missing};
+use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
+use crate::mechanism::quantity::Dimension;
 use crate::parallel;
 use crate::plan::Extent;
 use crate::scene::Scene;
@@ -425,16 +427,35 @@ fn confirmed(scene: &Scene, scales: impl Fn(&Scene, Extents) -> Scales) -> Resul
     solve_confirmed(scene, Extent::WholeSkeleton, &[], Settings::default(), scales)
 }
 
+/// A sheet of a variant, at scales at which it fits its paper.
+fn on_paper(
+    scene: &Scene,
+    kind: Kind,
+    language: Language,
+    compose: impl Fn(&Construction) -> Figure,
+) -> Result<Figure, NotConfirmed> {
+    let draw = |smaller: &[(Dimension, f64)]| {
+        let scales = |scene: &Scene, extents| match kind {
+            Kind::Question => drawing::with(sheet::scale::for_question(scene, extents), smaller),
+            _ => drawing::with(sheet::scale::for_scene(scene, extents), smaller),
+        };
+        let solved = confirmed(scene, scales)?;
+        let figure = compose(&solved.solution.construction);
+        Ok::<_, NotConfirmed>((solved, figure))
+    };
+    let (solved, figure) = drawing::on_its_paper(scene, kind, draw(&[])?, draw)?;
+    Ok(with_what_is_missing(figure, scene, &solved, language))
+}
+
 /// The question of a variant: what is given, the dimensioned skeleton, what is asked, how directions are counted and what
 /// each answer is worth.
 ///
 /// # Errors
 /// None for a scene that was drawn as a variant.
 pub fn question(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
-    let solved = confirmed(scene, sheet::scale::for_question)?;
-    let construction = &solved.solution.construction;
-    let figure = sheet::question_of_exam(scene, construction, language, &answer::marked(scene, construction));
-    Ok(with_what_is_missing(figure, scene, &solved, language))
+    on_paper(scene, Kind::Question, language, |construction| {
+        sheet::question_of_exam(scene, construction, language, &answer::marked(scene, construction))
+    })
 }
 
 /// The same as a card, for the figure of a question on a screen.
@@ -452,9 +473,7 @@ pub fn card(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
 /// # Errors
 /// None for a scene that was drawn as a variant.
 pub fn solution(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
-    let solved = confirmed(scene, sheet::scale::for_scene)?;
-    let figure = sheet::solution(scene, &solved.solution.construction, language);
-    Ok(with_what_is_missing(figure, scene, &solved, language))
+    on_paper(scene, Kind::Solution, language, |construction| sheet::solution(scene, construction, language))
 }
 
 /// The sheet on which students write their answers, a box for every number of the key; it is the same for all variants.

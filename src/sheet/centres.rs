@@ -274,8 +274,15 @@ impl Chart<'_> {
                     .map(|(_, links)| self.far_name(*links, tip))
                     .collect();
                 let text = Rich::join(&there, &Rich::upright(", "));
+                // Beside the end of its line: beyond it the paper may end.
+                let length = text.width(SMALL);
+                let beside = Site::Along { from: tip - way * length, to: tip };
                 let site = Site::Around { at: tip, radius: 0.6, toward: Some(libm::atan2(-way.y, way.x)) };
-                let mut request = Request::new(text, SMALL, site, "label centre-name").lived(ruled.born);
+                let paper = compose::free_paper(self.notation.scene).0;
+                let beyond = self.window.width() + 2.0 * length * way.x.abs() <= paper;
+                let (first, second) = if beyond { (site, None) } else { (beside, Some(site)) };
+                let mut request = Request::new(text, SMALL, first, "label centre-name").lived(ruled.born);
+                request.sites.extend(second);
                 request.leader = true;
                 self.overlay.labels.push(request);
             }

@@ -113,8 +113,8 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
     let given = given::paragraph(&notation);
     let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
-    let steps = steps::items(construction, &notation);
-    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
+    let (steps, figures) = steps::items_in_figures(construction, &notation);
+    let of = |orders: &[Order]| results::table(construction, &notation, &figures, orders, TEXT);
     let fits = |table: &Table| {
         !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
     };
@@ -293,9 +293,7 @@ fn question_on(
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
     pager.rows(&drawn);
-    let mut items = vec![Item::Head(Rich::bold(words.required))];
-    items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
-    items.extend(positions::asked(&notation).into_iter().map(Item::Sentence));
+    let mut items = required(&notation);
     items.extend(of_answers(&notation, marked));
     let list = column(&items, pager.width(), words);
     pager.block(list);
@@ -309,6 +307,26 @@ fn question_on(
         root: pages,
     };
     localised(figure, scene)
+}
+
+/// What is to be found.
+fn required(notation: &Notation<'_>) -> Vec<Item> {
+    let asked = given::asked(notation).into_iter().chain(positions::asked(notation));
+    let head = Item::Head(Rich::bold(notation.words.required));
+    [head].into_iter().chain(asked.map(Item::Sentence)).collect()
+}
+
+/// The height that a question's text leaves to its drawing without dimension lines, mm.
+pub(super) fn room_of_question(scene: &Scene) -> f64 {
+    /// What dimension lines, the caption and blanks take.
+    const AROUND: f64 = 62.0;
+    let words = scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default().words();
+    let notation = Notation::new(scene, words);
+    let (width, height) = paper(scene);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph_of_question(&notation, &[]));
+    let list = column(&required(&notation), pager.width(), words);
+    pager.bottom() - pager.y - list.height - AROUND
 }
 
 /// The dimensioned skeleton of the question, cut to its ink.
@@ -669,7 +687,8 @@ pub fn single_after(
             return (!figures.is_empty()).then(|| stack(&figures));
         }
         "results" => {
-            let table = results::table(construction, &notation, &ORDERS, TEXT);
+            let (_, figures) = steps::items_in_figures(construction, &notation);
+            let table = results::table(construction, &notation, &figures, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
@@ -748,7 +767,7 @@ fn with_steps(
     notation: &Notation<'_>,
 ) -> Option<Block> {
     let mut block = panels::of_auxiliary(drawing, construction)?.block_at(place, construction, notation)?;
-    let (rates, items) = steps::settled(|figures| {
+    let ((rates, items), _) = steps::settled(|figures| {
         let rates = match drawing.kind {
             Auxiliary::Klein { .. } => steps::conversions(notation, figures),
             _ => Vec::new(),

@@ -104,20 +104,19 @@ impl Artist<'_> {
         let mut given = (0..mechanism.points.len()).map(PointId);
         let Some(first) = given.clone().find(|p| mechanism.is_fixed(*p)) else { return Vec::new() };
         let (Some(origin), Some(start)) = (exact(first), self.pose.place(first)) else { return Vec::new() };
-        let mut all = Vec::new();
+        // Each with its length and whether it is of a place that moves.
+        let mut all: Vec<(bool, f64, Distance)> = Vec::new();
         let level = Vec2::new(1.0, 0.0);
         let upright = Vec2::new(0.0, 1.0);
-        // Those of the frame first: they find room before the others.
-        let (mut fixed, mut moving): (Vec<PointId>, Vec<PointId>) =
-            given.by_ref().filter(|p| *p != first).partition(|p| mechanism.is_fixed(*p));
-        fixed.append(&mut moving);
-        for point in fixed {
+        // Those of the frame come first: they find room before the others.
+        for point in given.by_ref().filter(|p| *p != first) {
             let (Some(place), Some(at)) = (exact(point), self.pose.place(point)) else { continue };
             for (axis, along) in [(0, level), (1, upright)] {
                 let length = (place[axis] - origin[axis]).abs();
                 if self.pose.paper(length) > SHORTEST {
                     let text = self.stated(length);
-                    all.push(Distance { from: start, to: at, along, text, places: Some((point, axis)) });
+                    let own = Distance { from: start, to: at, along, text, places: Some((point, axis)) };
+                    all.push((!mechanism.is_fixed(point), length, own));
                 }
             }
         }
@@ -143,12 +142,19 @@ impl Artist<'_> {
             let (Some(base), Some(rider)) = (base, self.pose.rider(slide)) else { continue };
             let left = if axis == 1 { cos * offset.value } else { -sin * offset.value };
             let length = (base[axis] + left - origin[axis]).abs();
-            if self.pose.paper(length) > SHORTEST {
-                let along = if axis == 0 { level } else { upright };
-                all.push(Distance { from: start, to: rider, along, text: self.stated(length), places: None });
+            let along = if axis == 0 { level } else { upright };
+            // A point of the guide may have the dimension already.
+            let same = |(_, other, own): &(bool, f64, Distance)| {
+                own.along == along && (other - length).abs() <= 1e-9 * length
+            };
+            if self.pose.paper(length) > SHORTEST && !all.iter().any(same) {
+                let text = self.stated(length);
+                all.push((false, length, Distance { from: start, to: rider, along, text, places: None }));
             }
         }
-        all
+        // The shorter ones stand nearer, so that no line crosses the extension of another.
+        all.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        all.into_iter().map(|(.., distance)| distance).collect()
     }
 
     /// One dimension line where it disturbs least.

@@ -8,7 +8,7 @@ use super::force_detail::{self, Side};
 use super::friction;
 use super::governor;
 use super::human;
-use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
+use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, hatch_below, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
@@ -1161,6 +1161,9 @@ pub fn stated(
     (group, requests)
 }
 
+/// Half the width of the ground on which a spring hangs.
+const GROUND: f64 = 4.2;
+
 /// The springs of a scene where they stand, with their names.
 pub fn springs(
     notation: &Notation<'_>,
@@ -1169,7 +1172,7 @@ pub fn springs(
     let mechanism = notation.mechanism();
     let (mut coils, mut requests) = (Vec::new(), Vec::new());
     for spring in &mechanism.forces.springs {
-        let [(_, from), (_, to)] = match spring.kind {
+        let [(one, from), (other, to)] = match spring.kind {
             SpringKind::Pull(ends) => ends,
             SpringKind::Torsion(links) => {
                 let pin = mechanism
@@ -1191,12 +1194,23 @@ pub fn springs(
                 continue;
             }
         };
+        let ends = [from, to];
         let (Some(from), Some(to)) = (place(from), place(to)) else { continue };
         if from.distance(to) < 4.0 * SHORTEST {
             continue;
         }
         let mut own = Group::new("spring");
         own.mark(Mark::stroke(Shape::Polyline(coil(from, to)), Pen::solid(THIN)));
+        // An end on the frame hangs on the ground, where no pivot has a support already.
+        for (link, end, at, other) in [(one, ends[0], from, to), (other, ends[1], to, from)] {
+            let bare = mechanism.point(end).links.iter().all(|link| *link == LinkId::FRAME);
+            if link == LinkId::FRAME && bare {
+                let way = (at - other).normalize();
+                let side = Vec2::new(-way.y, way.x) * GROUND;
+                own.mark(Mark::stroke(Shape::Line(at + side, at - side), Pen::solid(THICK)));
+                hatch_below(&mut own, at + side, at - side);
+            }
+        }
         coils.push(own);
         let name = Rich::italic(&spring.name);
         let mut request = Request::new(name, SMALL, Site::Along { from, to }, "label spring-name");

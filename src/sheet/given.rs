@@ -349,6 +349,18 @@ impl Teller<'_> {
                     GuidePoint::Own(_) => place.up("\u{2009}→\u{2009}").then(&self.n.point(target)),
                 };
                 let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
+                let told = match slide.rider {
+                    Rider::Link { link, .. } => {
+                        match (held_along(slide, link, self.n), self.own_line(link)) {
+                            (Some((sign, line)), Some(own)) => {
+                                let held = own.up("\u{a0}").up(sign).up("\u{a0}").then(&line);
+                                told.up(words.comma).then(&held)
+                            }
+                            _ => told,
+                        }
+                    }
+                    Rider::Pin { .. } => told,
+                };
                 if turned.value == 0.0 {
                     told
                 } else {
@@ -361,6 +373,15 @@ impl Teller<'_> {
             return Some(told);
         }
         Some(told.up(" ").then(&Rich::fill(words.given_offset, &[("offset", self.length(offset.value))])))
+    }
+
+    /// The line of a link that has nothing but a length, by its ends.
+    fn own_line(&self, link: LinkId) -> Option<Rich> {
+        let link = self.n.mechanism().link(link);
+        match (&link.form, &link.points[..]) {
+            (Form::Length(_), [from, to, ..]) => Some(self.n.length(*from, *to)),
+            _ => None,
+        }
     }
 
     /// Whether the rider on this guide is driven along it.
@@ -828,6 +849,35 @@ impl Teller<'_> {
             Rider::Link { link, .. } => mechanism.links.get(link.0)?.points.first().copied(),
         }
     }
+}
+
+/// How the own line of a link lies against that of the points which lead its guide, where it slides without turning against
+/// it: along it or square to it.
+pub(super) fn held_along(
+    slide: &Slide,
+    link: LinkId,
+    notation: &Notation<'_>,
+) -> Option<(&'static str, Rich)> {
+    /// As a scene rounds it.
+    const ROUNDED: f64 = 1e-9;
+    let Rider::Link { link: own, turned: Some(turned) } = slide.rider else { return None };
+    let Path::Straight {
+        through: GuidePoint::Point(from),
+        direction: Direction::Toward(to),
+        turned: of_guide,
+        ..
+    } = slide.guide.path
+    else {
+        return None;
+    };
+    let (sin, cos) = libm::sincos(turned.value + of_guide.value);
+    let sign = match () {
+        () if own != link => return None,
+        () if sin.abs() < ROUNDED => "∥",
+        () if cos.abs() < ROUNDED => "⊥",
+        () => return None,
+    };
+    Some((sign, notation.length(from, to)))
 }
 
 /// Whether the scene itself says what a quantity is: the rates of its inputs, the rotation of what cannot turn.

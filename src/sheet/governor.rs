@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use kurbo::Vec2;
+use kurbo::{Point, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape};
 use super::forces::on_page;
@@ -47,6 +47,24 @@ pub(super) fn without_polygon(sheet: &ForceSheet, index: usize) -> bool {
     governor.sleeve == Some(index) && state.along.as_ref().is_some_and(|along| !along.inclined)
 }
 
+/// The axis of rotation through a place as a chain line, past all that hangs on it.
+pub(super) fn axis(on: Point, along: Vec2, construction: &Construction) -> Group {
+    /// How far the axis runs past what hangs on it, mm.
+    const PAST: f64 = 6.0;
+    let places = construction.space.places.iter().flatten();
+    let reach = places.map(|at| (super::ink::page(*at) - on).dot(along));
+    let ends = reach.fold(None, |ends: Option<(f64, f64)>, at| {
+        let (least, most) = ends.unwrap_or((at, at));
+        Some((least.min(at), most.max(at)))
+    });
+    let mut own = Group::new("axis");
+    if let Some((least, most)) = ends {
+        let line = Shape::Line(on + along * (least - PAST), on + along * (most + PAST));
+        own.mark(Mark::stroke(line, Pen::chain(FINE)));
+    }
+    own
+}
+
 /// The distance of the ball from the axis, and the axis, on the skeleton.
 pub(super) fn radius(
     group: &mut Group,
@@ -55,23 +73,16 @@ pub(super) fn radius(
     construction: &Construction,
     notation: &Notation<'_>,
 ) {
-    /// How far the axis runs past what hangs on it, mm.
-    const PAST: f64 = 6.0;
     /// How far beside the ball its distance is dimensioned, mm.
     const ASIDE: f64 = 6.0;
     let [foot, ball] = [governor.foot, governor.ball].map(|place| on_page(place, construction));
     let Some(spin) = &notation.mechanism().forces.spin else { return };
     let (sin, cos) = libm::sincos(spin.angle.value);
     let along = Vec2::new(cos, -sin);
-    let reach = construction.space.places.iter().flatten().map(|at| {
-        let at = super::ink::page(*at);
-        (at - foot).dot(along)
-    });
+    let reach =
+        construction.space.places.iter().flatten().map(|at| (super::ink::page(*at) - foot).dot(along));
     let (least, most) = reach.fold((0.0_f64, 0.0_f64), |(least, most), at| (least.min(at), most.max(at)));
-    let mut own = Group::new("axis");
-    let line = Shape::Line(foot + along * (least - PAST), foot + along * (most + PAST));
-    own.mark(Mark::stroke(line, Pen::chain(FINE)));
-    group.group(own);
+    group.group(axis(foot, along, construction));
     if foot.distance(ball) < 4.0 {
         return;
     }

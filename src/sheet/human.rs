@@ -14,6 +14,16 @@ pub fn number(value: f64) -> Rich {
     figures(value, without_a_tie(value, usual_figures(value)), false)
 }
 
+/// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number.
+#[must_use]
+pub fn number_told(told: f64, exact: f64) -> Rich {
+    let short: f64 = format!("{exact:.2e}").parse().unwrap_or(exact);
+    if (short - exact).abs() <= 1e-9 * exact.abs() {
+        return number(told);
+    }
+    figures(told, without_a_tie(told, usual_figures(told)), false)
+}
+
 /// So many figures, or one more where the number lies half way between two of so many: rounded up or down it would be what
 /// somebody else does not get.
 fn without_a_tie(value: f64, digits: usize) -> usize {
@@ -166,11 +176,16 @@ pub fn millimetres(value: f64) -> Rich {
     with_unit(&Rich::upright(fixed(value, 1)), "mm")
 }
 
-/// An angle in degrees, one decimal at most. Half a turn has no sign: which it is would be told by a rounding.
+/// An angle in degrees, one decimal at most; one that is stated with more of them has these wherever it stands. Half a turn
+/// has no sign: which it is would be told by a rounding.
 #[must_use]
 pub fn degrees(radians: f64) -> Rich {
-    let text = fixed(radians.to_degrees(), 1);
-    let text = text.strip_suffix(".0").unwrap_or(&text);
+    /// Nobody states an angle more finely.
+    const STATED: usize = 3;
+    let value = radians.to_degrees();
+    let stated: f64 = format!("{value:.STATED$}").parse().unwrap_or(value);
+    let text = if (stated - value).abs() <= 1e-9 { fixed(value, STATED) } else { fixed(value, 1) };
+    let text = text.trim_end_matches('0').trim_end_matches('.');
     let text = if ["−0", "−180"].contains(&text) { &text["−".len()..] } else { text };
     Rich::upright(text).up("°")
 }
@@ -311,6 +326,9 @@ mod tests {
         ] {
             assert_eq!(plain(&number(value)), text);
         }
+        assert_eq!(plain(&number_told(27.0, 26.98)), "27.0");
+        assert_eq!(plain(&number_told(27.0, 27.0)), "27");
+        assert_eq!(plain(&number_told(0.6376, 0.6374)), "0.638");
         assert_eq!(plain(&stated(15.0)), "15");
         assert_eq!(plain(&stated(37.5)), "37.5");
         assert_eq!(plain(&stated(0.15 / 0.01)), "15");
@@ -343,5 +361,9 @@ mod tests {
         assert_eq!(plain(&with_unit(&number(2.0), "cm/s^2")), "2\u{a0}cm/s²");
         assert_eq!(plain(&degrees(std::f64::consts::FRAC_PI_6)), "30°");
         assert_eq!(plain(&degrees(-1e-9)), "0°");
+        // An angle that is stated so, however it came to radians.
+        assert_eq!(plain(&degrees(-99.55_f64.to_radians())), "−99.55°");
+        assert_eq!(plain(&degrees(-99.552_3_f64.to_radians())), "−99.6°");
+        assert_eq!(plain(&degrees(std::f64::consts::PI)), "180°");
     }
 }

@@ -87,7 +87,16 @@ impl Panel {
     #[must_use]
     pub fn block(self, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
         let caption = self.caption(construction, notation)?;
-        Some(captioned(self.drawing(construction, notation, None)?, &caption))
+        let drawing = self.drawing(construction, notation, None)?;
+        let mut ink = drawing.bounds().unwrap_or(Rect::ZERO);
+        // Diagrams over one axis of angles stand one below the other.
+        if let (Self::Cycle(_), Some(sheet)) = (self, &construction.cycle) {
+            let all = CyclePanel::all(sheet).into_iter();
+            for other in all.filter_map(|panel| panel.draw(sheet, notation).bounds()) {
+                (ink.x0, ink.x1) = (ink.x0.min(other.x0), ink.x1.max(other.x1));
+            }
+        }
+        Some(framed(drawing, ink, &caption))
     }
 
     /// The same among other figures than those of the sheet, after so many of them.

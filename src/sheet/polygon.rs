@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::compose::free_paper;
 use super::coriolis;
 use super::detail::{self, Spot};
 use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
@@ -43,7 +44,7 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
     group.title = Some(figure_name.to_owned());
 
     group.group(link_images(polygon, notation, births));
-    let window = window(polygon);
+    let window = window(polygon, free_paper(notation.scene));
     group.group(construction(polygon, notation, window, births));
     // Whole vectors over their parts, so that a thick line is never cut by a thin one's head.
     let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
@@ -267,24 +268,32 @@ pub(super) fn short_arc(line: &ConstructionLine) -> Option<Mark> {
     Some(Mark::stroke(shape, Pen::solid(FINE)).class("arc").precise())
 }
 
-/// What is shown: all that has a place of its own. What was tried may lie far beyond it; then its lines end at the
-/// border.
-fn window(polygon: &Diagram) -> Rect {
+/// What is shown: all that has a place of its own. What was tried may lie far beyond it, or find no room on the paper; then
+/// its lines end at the border.
+fn window(polygon: &Diagram, (width, height): (f64, f64)) -> Rect {
     /// Blank around the polygon for what leads out of it.
     const BORDER: f64 = 14.0;
+    /// Less where the paper ends.
+    const LEAST: f64 = 5.0;
+    /// What names at the border, the caption and headings take of the paper.
+    const AROUND: (f64, f64) = (10.0, 30.0);
     let tried = |label: Label| matches!(label, Label::Trial { .. });
     let vectors = polygon.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
     let own = polygon.images.iter().filter(|image| !tried(image.label)).map(|image| image.at);
     let own = own.chain(vectors.flat_map(|v| [v.from, v.to])).map(page);
-    let own = own.fold(Rect::ZERO, |all, at| all.union_pt(at)).inflate(BORDER, BORDER);
-    let all = polygon.images.iter().map(|image| page(image.at)).fold(own, |all, at| all.union_pt(at));
+    let own = own.fold(Rect::ZERO, |all, at| all.union_pt(at));
+    let border = |side: f64, paper: f64| ((paper - side) / 2.0).clamp(LEAST, BORDER);
+    let bordered =
+        |of: Rect| of.inflate(border(of.width(), width - AROUND.0), border(of.height(), height - AROUND.1));
+    let all = polygon.images.iter().map(|image| page(image.at));
+    let all = all.fold(own.inflate(BORDER, BORDER), |all, at| all.union_pt(at));
     // What lies a little beyond is taken in.
-    let fits = |all: f64, own: f64| all <= (1.4 * own).max(60.0);
-    if fits(all.width(), own.width()) && fits(all.height(), own.height()) {
-        all.inflate(BORDER, BORDER)
-    } else {
-        own
-    }
+    let fits = |all: f64, own: f64, paper: f64| {
+        all <= (1.4 * (own + 2.0 * BORDER)).max(60.0) && all + 2.0 * LEAST <= paper.max(own)
+    };
+    let takes = fits(all.width(), own.width(), width - AROUND.0)
+        && fits(all.height(), own.height(), height - AROUND.1);
+    bordered(if takes { all } else { own })
 }
 
 /// A vector that leads out of the window: as far as the border, with an arrowhead there.

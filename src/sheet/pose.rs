@@ -243,6 +243,15 @@ impl<'a> Pose<'a> {
         }
     }
 
+    /// The axis about which the plane of a governor turns: a point of it and its direction.
+    #[must_use]
+    pub fn axis_of_rotation(&self) -> Option<(Point, Vec2)> {
+        let spin = self.mechanism.forces.spin.as_ref()?;
+        let (sin, cos) = libm::sincos(spin.angle.value);
+        let on = self.guide_point(LinkId::FRAME, GuidePoint::Own(spin.through), 0)?;
+        Some((on, Vec2::new(cos, -sin)))
+    }
+
     /// The line of a guide that a wheel rolls on: a point of it and its direction.
     #[must_use]
     pub fn track(&self, guide: crate::mechanism::Guide) -> Option<(Point, Vec2)> {

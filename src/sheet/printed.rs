@@ -232,6 +232,15 @@ impl Figures {
         self.printed.get(&key)
     }
 
+    /// The number to which the steps have come for a value, with its sign; none where they have not told it.
+    pub(super) fn told(&self, key: Key, si: f64) -> Option<f64> {
+        /// What differs by more is something else under one name.
+        const ROUNDED: f64 = 0.02;
+        let print = self.printed.get(&key)?;
+        let told = print.number * print.unit.si;
+        ((told - si.abs()).abs() <= ROUNDED * si.abs()).then_some(libm::copysign(told, si))
+    }
+
     /// Whether a number is printed already.
     pub(super) fn has(&self, key: Key) -> bool {
         self.printed.contains_key(&key)

@@ -1,17 +1,24 @@
 //! The result table.
 
 use super::notation::Notation;
+use super::printed::{Figures, Key};
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use super::{given, human};
 use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::force::{Force, Share};
-use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Method, Order, Quantity};
 
-/// The asked quantities of these orders with their values, senses and directions: rounded once, from what was drawn, while a
-/// line of the steps goes on from what was read.
+/// The asked quantities of these orders with their values, senses and directions: the numbers to which the steps have come,
+/// in the figures of a result.
 #[must_use]
-pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Order], size: f64) -> Table {
+pub fn table(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    figures: &Figures,
+    orders: &[Order],
+    size: f64,
+) -> Table {
     let words = notation.words;
     let rows = notation
         .mechanism()
@@ -19,7 +26,7 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         .iter()
         .zip(&construction.answers)
         .filter(|(asked, _)| is_row(asked, notation, orders))
-        .map(|(asked, reading)| row(asked, reading, notation))
+        .map(|(asked, reading)| row(asked, reading, notation, figures))
         .collect();
     Table {
         columns: vec![Align::Left, Align::Right, Align::Left],
@@ -77,18 +84,31 @@ pub(super) fn polygon_of(quantity: Quantity) -> Order {
     }
 }
 
-fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
+fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figures) -> Vec<Rich> {
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
     if let Some(method) = notation.method(asked.method) {
         symbol = symbol.up(",\u{a0}").up(method);
     }
-    let amount = |si: f64| human::quantity(si, &asked.unit);
+    // Constructions of their own have readings of their own.
+    let key = Some(Key::of(asked.quantity, notation)).filter(|_| asked.method == Method::Polygon);
+    let amount = |si: f64| {
+        let told = key.and_then(|key| figures.told(key, si));
+        told.map_or_else(
+            || human::quantity(si, &asked.unit),
+            |told| {
+                human::with_unit(
+                    &human::number_told(told / asked.unit.si, si / asked.unit.si),
+                    &asked.unit.symbol,
+                )
+            },
+        )
+    };
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.
         answer @ Answer::Scalar { value, .. } if answer.may_be_zero() && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
-            row(asked, &Reading { answer: none, ..reading.clone() }, notation)
+            row(asked, &Reading { answer: none, ..reading.clone() }, notation, figures)
         }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
@@ -112,7 +132,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
                 vec![symbol, amount(*value).up("\u{a0}= ").then(&turns), Rich::upright(sense)]
             }
             Quantity::Cycle(_) if *value > 0.0 => vec![symbol, amount(*value), Rich::default()],
-            _ => vec![symbol, human::quantity(*value, &asked.unit), Rich::default()],
+            _ => vec![symbol, amount(*value), Rich::default()],
         },
         Answer::Vector { value: [x, y], bound } => {
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {

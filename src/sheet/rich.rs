@@ -465,6 +465,16 @@ impl Rich {
             if longer.width(size) <= width || line.is_empty() {
                 line = longer;
             } else {
+                // A line does not end with a sign of equality: it stands before what it gives.
+                let signed = Self::upright("=\u{a0}").then(&word);
+                let word =
+                    match line.without_equals().filter(|_| !right_to_left && signed.width(size) <= width) {
+                        Some(before) => {
+                            line = before;
+                            signed
+                        }
+                        None => word,
+                    };
                 lines.push(std::mem::replace(&mut line, word));
             }
         }
@@ -476,6 +486,18 @@ impl Rich {
             line.right_to_left = right_to_left;
         }
         lines
+    }
+
+    /// The text without the sign of equality at its end; none where it has none, or nothing else.
+    fn without_equals(&self) -> Option<Self> {
+        let mut own = self.clone();
+        let Some(Item { piece: Piece::Run(text, _), .. }) = own.items.last_mut() else { return None };
+        let before = text.strip_suffix("\u{a0}=")?.to_owned();
+        *text = before;
+        if text.is_empty() {
+            own.items.pop();
+        }
+        (!own.is_empty()).then_some(own)
     }
 
     /// The same with a blank and a word after it; a blank within an island belongs to the island.
@@ -703,6 +725,16 @@ mod tests {
             words.push(' ');
         }
         assert_eq!(words.trim(), "From o lay off VA and draw a line");
+    }
+
+    #[test]
+    fn no_line_ends_with_a_sign_of_equality() {
+        let text = Rich::italic("x").sub("1").up("\u{a0}= 38.57\u{a0}mm, ").it("T").up("\u{a0}= 15\u{a0}N·m");
+        for width in 10..60 {
+            let lines = text.wrap(3.5, f64::from(width));
+            let ends = lines.iter().filter(|line| line.plain().ends_with('='));
+            assert_eq!(ends.count(), 0, "{width}: {lines:?}");
+        }
     }
 
     #[test]

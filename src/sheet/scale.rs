@@ -6,8 +6,10 @@ use std::collections::HashMap;
 use kurbo::{Point, Rect, Vec2};
 
 use super::centres::{self, is_needed, taking_in, window_over};
-use super::compose::{Draft, Filled, free_paper};
+use super::compose::{Draft, Filled, free_paper, room_of_question};
+use super::figure::{Figure, Node};
 use super::overlap::clip;
+use super::slots::GenevaDrive;
 use super::transfer;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{
@@ -49,6 +51,8 @@ const ROW: f64 = 168.0;
 const NAMES: f64 = 13.0;
 /// Height of a page beside a diagram's points: headings, names and the caption.
 const AROUND_DRAWN: f64 = 58.0;
+/// Height of a page beside a panel with its caption.
+const HEADED: f64 = 34.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
 /// Of a mechanism of more links the text fills so many pages that no scale saves one: its scales are chosen without it.
@@ -58,20 +62,23 @@ const SMALL: f64 = 0.35;
 
 /// Room for the skeleton of a question with its dimension lines, width and height in mm.
 pub const QUESTION: (f64, f64) = (150.0, 150.0);
+/// And where the page has more height, as high as this.
+const TALL_QUESTION: f64 = 185.0;
 
 /// The scales of a question: as for a solution, but the skeleton has the row to itself.
 #[must_use]
 pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
     let [w, h] = with_wheels(&scene.mechanism, extents.space, extents.rims);
     let (wide, high) = stretch(scene);
-    let free = (QUESTION.0 * wide, QUESTION.1 * high);
+    let tall = room_of_question(scene).min(TALL_QUESTION * high);
+    let free = (QUESTION.0 * wide, (QUESTION.1 * high).max(tall));
     let stated = scene.sheet.length_scale.map(|ratio| ratio / 1000.0);
     let length = stated.or(choose_length(w, h, free)).unwrap_or(0.001);
     for_scene(scene, extents).with(Dimension::Length, length)
 }
 
 /// Room for a diagram beside the words of a step, width and height in mm.
-pub const STEP: (f64, f64) = (66.0, 62.0);
+pub const STEP: (f64, f64) = (72.0, 82.0);
 
 /// The scales of a sheet that shows the steps one by one: each diagram fits beside its words.
 #[must_use]
@@ -667,8 +674,56 @@ pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) ->
     )
 }
 
-/// Width and height of a skeleton with its pitch circles: those about placed centres have room in it, those about moving
-/// ones may reach a little beyond it, for there is nothing to read at a rim.
+/// The diagrams of a figure that find no room on their paper, and the next scale at which they do, SI per mm: what stands
+/// on a skeleton besides its joints (a wheel, a guide, an arm of a force) is known when it is drawn. `pages` is how many
+/// there may be: a smaller skeleton may save the others. None where the scene states the scale.
+#[must_use]
+pub fn outgrown(
+    scene: &Scene,
+    construction: &Construction,
+    figure: &Figure,
+    pages: Option<usize>,
+) -> Option<(Dimension, f64)> {
+    /// Nothing is made smaller than by so much: what lies further off does so at any scale.
+    const MOST: f64 = 6.0;
+    let (wide, high) = free_paper(scene);
+    let room = (wide, high - HEADED);
+    let next = |dimension: Dimension, [w, h]: [f64; 2]| {
+        let per_mm = match dimension {
+            Dimension::Length => construction.space.metres_per_mm,
+            _ => construction.diagrams.iter().find(|own| own.kind.dimension() == dimension)?.si_per_mm,
+        };
+        let next = match dimension {
+            Dimension::Length => choose_length(w * per_mm, h * per_mm, room),
+            _ => choose_for(w * per_mm, h * per_mm, room, unit(scene, dimension)),
+        };
+        let next = next.filter(|next| *next > per_mm * (1.0 + 1e-9) && *next < MOST * per_mm)?;
+        stated(scene, dimension).is_none().then_some((dimension, next))
+    };
+    let panels = figure.pages().into_iter().flat_map(|page| &page.children).filter_map(|node| match node {
+        Node::Group(group) if group.class == "panel" => Some(group),
+        _ => None,
+    });
+    let too_large = panels.filter_map(|panel| {
+        let ink = panel.bounds()?;
+        // Blank at the edge of letters is no ink.
+        let over = ink.width() > wide + 0.5 || ink.height() > room.1 + 0.5;
+        let Some(Node::Group(drawing)) = panel.children.first().filter(|_| over) else { return None };
+        let dimension = match drawing.class.split(' ').next()? {
+            "velocity" => Dimension::Velocity,
+            "acceleration" => Dimension::Acceleration,
+            "skeleton" | "instant-centres" | "free-body" | "transfer" => Dimension::Length,
+            _ => return None,
+        };
+        Some((dimension, [ink.width(), ink.height()]))
+    });
+    let first = too_large.filter_map(|(dimension, size)| next(dimension, size)).next();
+    let too_many = pages.is_some_and(|most| figure.pages().len() > most);
+    first.or_else(|| next(Dimension::Length, [wide * 1.01, 0.0]).filter(|_| too_many))
+}
+
+/// Width and height of a skeleton with its pitch circles and Geneva wheels: those about placed centres have room in it,
+/// those about moving ones may reach a little beyond it, for there is nothing to read at a rim.
 fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64; 2] {
     const BEYOND: f64 = 1.25;
     let place = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|x| x.value));
@@ -680,6 +735,13 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64;
         };
         wheels.extend(circles.into_iter().filter_map(|(centre, radius)| Some((place(centre)?, radius))));
     }
+    let genevas = (0..mechanism.slides.len()).filter_map(|slide| GenevaDrive::of(mechanism, slide));
+    let wheel = |own: GenevaDrive| {
+        let [centre, shaft] = [place(own.centre)?, place(own.shaft)?];
+        let [x, y] = [0, 1].map(|axis| centre[axis] - shaft[axis]);
+        Some((centre, libm::hypot(x, y)))
+    };
+    wheels.extend(genevas.filter_map(wheel));
     let grown = |axis: usize, size: f64| {
         let least = wheels.iter().map(|(at, r)| at[axis] - r).fold(f64::INFINITY, f64::min);
         let most = wheels.iter().map(|(at, r)| at[axis] + r).fold(f64::NEG_INFINITY, f64::max);

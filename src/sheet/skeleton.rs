@@ -72,6 +72,9 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
     artist.links_and_joints(&mut group, false);
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
+    if let Some((on, along)) = artist.pose.axis_of_rotation() {
+        group.group(super::governor::axis(on, along, construction));
+    }
     let (loads, names) = super::forces::stated(notation, |point| artist.pose.place(point));
     if !loads.children.is_empty() {
         group.group(loads);

@@ -39,7 +39,14 @@ pub enum Item {
 /// All steps in order.
 #[must_use]
 pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    by_step(construction, notation).into_iter().flat_map(|told| told.items).collect()
+    items_in_figures(construction, notation).0
+}
+
+/// The same with the figures in which numbers are printed there.
+#[must_use]
+pub fn items_in_figures(construction: &Construction, notation: &Notation<'_>) -> (Vec<Item>, Figures) {
+    let (told, figures) = settled(|figures| tell(construction, notation, figures));
+    (told.into_iter().flat_map(|told| told.items).collect(), figures)
 }
 
 /// What is said of a step.
@@ -58,12 +65,12 @@ pub struct Told {
 /// The same step by step.
 #[must_use]
 pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told> {
-    settled(|figures| tell(construction, notation, figures))
+    settled(|figures| tell(construction, notation, figures)).0
 }
 
 /// What is told, with numbers as they are printed. What is used later in a line that would not close has the figures that this
-/// line needs where it is first told: it is told again until every line has what it needs.
-pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> T {
+/// line needs where it is first told: it is told again until every line has what it needs. With the figures in which it is.
+pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> (T, Figures) {
     /// What needs figures for what needs figures, and so on: further back the steps do not look.
     const ROUNDS: usize = 6;
     let mut next = RefCell::new(Figures::default());
@@ -75,7 +82,7 @@ pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> T {
         next = RefCell::new(next.into_inner().again());
         told = tell(&next);
     }
-    told
+    (told, next.into_inner())
 }
 
 fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Told> {
@@ -1139,7 +1146,27 @@ impl Teller<'_> {
             let value = human::degrees(angle.value.abs()).word(n.sense(angle.value));
             told.push(Rich::upright("∠\u{a0}").then(&name).up("\u{a0}=\u{a0}").then(&value));
         }
+        // One distance alone leads to no point: along which line is told by what holds the link.
+        if let (Form::Length(_), [_]) = (&body.form, &told[..]) {
+            told.extend(self.line_of(link));
+        }
         Rich::fill(n.words.transfer_point_lengths, &[own, number, ("lengths", n.list(&told))])
+    }
+
+    /// The direction of a link's own line: that of its input, or the guide along which it slides without turning against it.
+    fn line_of(&self, link: LinkId) -> Option<Rich> {
+        let n = self.notation;
+        let driven = n.mechanism().inputs.iter().find_map(|input| match input {
+            Input::Angle { link: own, angle: Some(angle), .. } if *own == link => Some(angle.value),
+            _ => None,
+        });
+        if let Some(angle) = driven {
+            let symbol = n.symbol(Quantity::Angle(link), false);
+            return Some(symbol.up("\u{a0}=\u{a0}").then(&human::degrees(angle)));
+        }
+        let (sign, line) =
+            n.mechanism().slides.iter().find_map(|slide| super::given::held_along(slide, link, n))?;
+        Some(Rich::upright(sign).up("\u{a0}").then(&line))
     }
 
     /// Whether a vector ends in a known point and begins in a new one.
