@@ -1050,6 +1050,9 @@ impl Wanted<'_> {
             if let GroupKind::Wheel { wheel, roll, .. } = kind {
                 self.rolled_on(roll, wheel, lower);
             }
+            if let GroupKind::Planet { wheel, rolls, .. } = kind {
+                rolls.into_iter().for_each(|roll| self.rolled_on(roll, wheel, lower));
+            }
             for unknown in kind.unknowns(self.mechanism).into_iter().flat_map(|(_, unknowns)| unknowns) {
                 match unknown {
                     Unknown::Contact { roll, body } => self.rolled_on(roll, body, lower),
@@ -1058,7 +1061,10 @@ impl Wanted<'_> {
                     | Unknown::Carried { hold: Hold::Contact { roll, .. }, pin: centre, .. } => {
                         self.leans_on(roll, centre, lower);
                     }
-                    Unknown::Turn { .. } | Unknown::Slide { .. } | Unknown::Carried { .. } => {}
+                    Unknown::Turn { .. }
+                    | Unknown::Reach { .. }
+                    | Unknown::Slide { .. }
+                    | Unknown::Carried { .. } => {}
                 }
             }
             for slide in kind.slides(self.mechanism) {

@@ -378,6 +378,7 @@ fn an_epicyclic_train_driven_at_its_sun() {
           "find": ["omega(3)", "omega(4)", "alpha(3)", "alpha(4)", "v(C)", "a(C)"]
         }"#,
     );
+    assert!(nothing_tried(&drawn));
     near_enough(drawn.scalar("omega(4)").0, 10.0 / 3.0);
     near_enough(drawn.scalar("alpha(4)").0, 4.0 / 3.0);
     near_enough(drawn.scalar("omega(3)").0, -10.0);
@@ -483,5 +484,206 @@ fn a_driven_rod_carries_loads() {
         let rod = PI / 12.0;
         let crank = libm::asin(120.0 * libm::sin(rod) / 40.0);
         near_enough(drawn.scalar("omega(2)").0, -3.0 * 120.0 * libm::cos(rod) / (40.0 * libm::cos(crank)));
+    }
+}
+
+/// The sheet tries nothing, at any order.
+fn nothing_tried(drawn: &Drawn) -> bool {
+    use linkgram::graphical::construction::Act;
+    let mut acts = drawn.solution.construction.steps.iter().flat_map(|step| &step.acts);
+    !acts.any(|act| matches!(act, Act::TryPosition { .. } | Act::TryPolygon { .. } | Act::TrialRate { .. }))
+}
+
+/// Height of a triangle over its first side and how far its foot lies along it, by the lengths of the other two.
+fn apex(first: f64, [second, third]: [f64; 2]) -> [f64; 2] {
+    let along = (first * first + second * second - third * third) / (2.0 * first);
+    [along, libm::sqrt(second * second - along * along)]
+}
+
+/// A boom O₂B of 1.8 on a cylinder from O₄ (1.2, −0.5), which is driven: the sides of the triangle tell all angles, their rates are
+/// differences, and the power of the effort is that of the load. However the cylinder is stated: the boom's pin in its slot or
+/// with a block, a rod with the pin, the rod on the frame and the cylinder with the pin, a slot beside O₄, all by places.
+#[test]
+fn a_driven_cylinder_needs_one_triangle() {
+    let [side, lies] = [1.3, libm::atan2(-0.5, 1.2)];
+    let length = |t: f64| 1.9 + 0.08 * t - 0.005 * t * t;
+    let offset = 0.25;
+    let boom = |reach: f64| {
+        let [along, high] = apex(side, [1.8, reach]);
+        lies + libm::atan2(high, along)
+    };
+    let cylinder = |reach: f64| {
+        let angle = boom(reach);
+        libm::atan2(1.8 * libm::sin(angle) + 0.5, 1.8 * libm::cos(angle) - 1.2)
+    };
+    let plain = |t: f64| (boom(length(t)), cylinder(length(t)));
+    let beside = |t: f64| {
+        let reach = libm::hypot(length(t), offset);
+        (boom(reach), cylinder(reach) - libm::atan2(offset, length(t)))
+    };
+    let at_b = |angle: f64| format!("[{}, {}]", 1.8 * libm::cos(angle), 1.8 * libm::sin(angle));
+    let near = r#""near": { "B": [1.2, 1.3] }"#;
+    let placed = format!(r#""placed": {{ "B": {} }}"#, at_b(plain(0.0).0));
+    let slot = r#""3": { "joins": ["O4"] }"#;
+    let own = r#""3": { "joins": ["O4", "K"], "length": 0.4 }"#;
+    let through = r#"{ "link": 3, "through": "O4", "angle": 0 }"#;
+    let aside = r#"{ "link": 3, "through": "O4", "toward": "K", "offset": 0.25 }"#;
+    let at = r#""at": 1.9, "#;
+    let cases: [(&str, String, &str, &str, &str, bool); 7] = [
+        (slot, format!(r#"{{ "pin": "B", "on": {through} }}"#), r#""B""#, at, near, false),
+        (slot, format!(r#"{{ "pin": "B", "block": 5, "on": {through} }}"#), "5", at, near, false),
+        (slot, format!(r#"{{ "pin": "B", "on": {through} }}"#), r#""B""#, "", &placed, false),
+        (
+            r#""3": { "joins": ["O4"] }, "4": { "joins": ["B"] }"#,
+            format!(r#"{{ "link": 4, "on": {through} }}"#),
+            "4",
+            at,
+            near,
+            false,
+        ),
+        (
+            r#""3": { "joins": ["O4"] }, "4": { "joins": ["B"] }"#,
+            r#"{ "link": 3, "on": { "link": 4, "through": "B", "angle": 0 } }"#.to_owned(),
+            "3",
+            at,
+            near,
+            false,
+        ),
+        (own, format!(r#"{{ "pin": "B", "on": {aside} }}"#), r#""B""#, at, near, true),
+        (own, format!(r#"{{ "pin": "B", "block": 5, "on": {aside} }}"#), "5", at, near, true),
+    ];
+    for (links, slide, driven, at, places, is_beside) in cases {
+        let text = format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": [1.2, -0.5] }},
+            "links": {{ "2": {{ "joins": ["O2", "B", "P"], "line": [0, 1.8, 4.5] }}, {links} }},
+            "slides": [ {slide} ], {places},
+            "input": {{ "slide": {driven}, {at}"velocity": 0.08, "acceleration": -0.01 }},
+            "loads": [ {{ "name": "W", "on": 2, "at": "P", "force": [0, -12000] }} ],
+            "find": ["omega(2)", "alpha(2)", "omega(3)", "alpha(3)", "v(P)", "a(P)", "x(B)", "drive({})", "F(1,2)", "F(1,3)"] }}"#,
+            driven.trim_matches('"')
+        );
+        let drawn = confirmed(&text);
+        assert!(nothing_tried(&drawn), "{text}");
+        let motion = |t: f64| if is_beside { beside(t) } else { plain(t) };
+        let close = |found: f64, expected: f64| {
+            assert!((found - expected).abs() < 1e-8, "{found} {expected}\n{text}")
+        };
+        let (omega, alpha) = rates(|t| motion(t).0);
+        close(drawn.scalar("omega(2)").0, omega);
+        close(drawn.scalar("alpha(2)").0, alpha);
+        let (omega, alpha) = rates(|t| motion(t).1);
+        close(drawn.scalar("omega(3)").0, omega);
+        close(drawn.scalar("alpha(3)").0, alpha);
+        let power = drawn.vector("v(P)").0[1] * -12000.0;
+        let effort = drawn.scalar(&format!("drive({})", driven.trim_matches('"'))).0;
+        assert!((effort * 0.08 + power).abs() < 1e-8 * power.abs(), "{effort} {power}\n{text}");
+    }
+}
+
+/// A cylinder that pushes a slider along a line of the frame, and a pin on two cylinders: by the lengths of the triangle.
+#[test]
+fn a_driven_cylinder_moves_a_slider_and_two_of_them_a_pin() {
+    let drawn = confirmed(
+        r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["O"] } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 2, "through": "O" } },
+                    { "pin": "B", "block": 3, "on": { "link": 1, "through": [0, 3], "angle": 0 } } ],
+        "near": { "B": [4, 3] }, "input": { "slide": 4, "at": 5, "velocity": 2, "acceleration": 1 },
+        "loads": [ { "on": 3, "at": "B", "force": [-20, 0] } ],
+        "find": ["v(B)", "a(B)", "omega(2)", "alpha(2)", "x(B)", "F(1,2)"] }"#,
+    );
+    let along = |t: f64| {
+        let length = 5.0 + 2.0 * t + 0.5 * t * t;
+        libm::sqrt(length * length - 9.0)
+    };
+    let (speed, acceleration) = rates(along);
+    assert!(nothing_tried(&drawn));
+    vector(&drawn, "x(B)", [4.0, 3.0]);
+    for (name, expected) in [("v(B)", speed), ("a(B)", acceleration)] {
+        let found = drawn.vector(name).0;
+        assert!((found[0] - expected).abs() < 1e-8 && found[1].abs() < 1e-9, "{name} {found:?}");
+    }
+    // The slider needs 20 along its guide, of a force along the cylinder.
+    vector(&drawn, "F(1,2)", [20.0, 15.0]);
+}
+
+/// Sun and ring both driven: r_S ω_S + r_R ω_R = (r_S + r_R) ω_arm. A load on the arm: the power of both efforts is its own.
+#[test]
+fn an_epicyclic_train_driven_at_sun_and_ring() {
+    let drawn = confirmed(
+        r#"{ "fixed": { "O": [0, 0] }, "placed": { "C": [48, 36], "E": [30, 40], "K": [10, 50] },
+          "links": { "2": { "joins": ["O"] }, "3": { "joins": ["C", "E"] }, "4": { "joins": ["O", "C", "K"] }, "5": { "joins": ["O"] } },
+          "rolls": [
+            { "links": [2, 3], "centres": ["O", "C"], "radii": [40, 20] },
+            { "links": [5, 3], "centres": ["O", "C"], "radii": [80, 20], "internal": true }
+          ],
+          "inputs": [ { "link": 2, "omega": 10, "alpha": 4 }, { "link": 5, "omega": -3, "alpha": 1 } ],
+          "loads": [ { "on": 4, "torque": -60 } ],
+          "find": ["omega(3)", "omega(4)", "alpha(3)", "alpha(4)", "v(E)", "a(E)", "v(K)", "a(K)", "T(2)", "T(5)", "F(3,4)"] }"#,
+    );
+    assert!(nothing_tried(&drawn));
+    let arm = |sun: f64, ring: f64| (40.0 * sun + 80.0 * ring) / 120.0;
+    near_enough(drawn.scalar("omega(4)").0, arm(10.0, -3.0));
+    near_enough(drawn.scalar("alpha(4)").0, arm(4.0, 1.0));
+    let planet = |sun: f64, ring: f64| (80.0 * ring - 40.0 * sun) / 40.0;
+    near_enough(drawn.scalar("omega(3)").0, planet(10.0, -3.0));
+    near_enough(drawn.scalar("alpha(3)").0, planet(4.0, 1.0));
+    near_enough(drawn.scalar("T(2)").0, 20.0);
+    near_enough(drawn.scalar("T(5)").0, 40.0);
+}
+
+/// A driven rack whose pin is the contact itself: V_A = 0, for the wheel's rim and the crank's pin go different ways there, and
+/// with ω₃ = 2 the wheel's rim has what A has along the rack: A_A = (−36, 120) of ε₂ = 1.2, so that ε₄ = 36 / 30.
+#[test]
+fn a_driven_rack_whose_pin_is_the_contact() {
+    let drawn = confirmed(
+        r#"{ "fixed": { "O2": [0, 0], "O4": [100, 0] },
+          "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "E"] }, "4": { "joins": ["O4", "W"] } },
+          "rolls": [ { "links": [3, 4], "line": { "link": 3, "through": "A", "toward": "E" }, "centre": "O4", "radius": 30 } ],
+          "placed": { "A": [100, 30], "E": [180, 30], "W": [100, 20] },
+          "input": { "link": 3, "omega": 2 },
+          "find": ["omega(2)", "omega(4)", "alpha(2)", "alpha(4)", "v(A)", "v(E)", "a(A)", "v(W)", "a(W)"] }"#,
+    );
+    for (name, expected) in [("omega(2)", 0.0), ("omega(4)", 0.0), ("alpha(2)", 1.2), ("alpha(4)", 1.2)] {
+        near_enough(drawn.scalar(name).0, expected);
+    }
+    vector(&drawn, "a(A)", [-36.0, 120.0]);
+    vector(&drawn, "a(W)", [-24.0, 0.0]);
+}
+
+/// A cylinder on a driven crank moves a rocker, which carries a load: every number of the sheet is confirmed, and the power of both
+/// efforts is that of the load. Its rod has the pin, or it has the pin itself and its rod is on the crank.
+#[test]
+fn a_driven_cylinder_on_a_crank() {
+    for (link, slide, at) in [
+        (
+            r#"["H", "B"]"#,
+            r#"{ "link": 5, "on": { "link": 3, "through": "C", "toward": "K" } }"#,
+            r#""slide": 5, "at": 2.1"#,
+        ),
+        (
+            r#"["B", "H"]"#,
+            r#"{ "link": 3, "turned": 180, "on": { "link": 5, "through": "B", "toward": "H", "offset": 0.2 } }"#,
+            r#""slide": 3, "at": 3"#,
+        ),
+    ] {
+        let text = format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": [4, 0.5] }},
+            "links": {{ "2": {{ "joins": ["O2", "C"], "length": 1 }}, "3": {{ "joins": ["C", "K"], "length": 0.7 }},
+                        "4": {{ "joins": ["O4", "B", "E"], "line": [0, 2, 2.5] }}, "5": {{ "joins": {link}, "length": 0.9 }} }},
+            "slides": [ {slide} ], "near": {{ "B": [3.4, 2.4], "H": [2.5, 2.0], "K": [1.2, 1.2] }},
+            "inputs": [ {{ "link": 2, "angle": 60, "omega": 2, "alpha": 1 }}, {{ {at}, "velocity": 0.5, "acceleration": -0.3 }} ],
+            "loads": [ {{ "on": 4, "at": "E", "force": [30, -50] }} ],
+            "find": ["T(2)", "drive({})", "v(E)", "a(E)", "omega(3)", "alpha(3)", "omega(4)", "alpha(4)", "a(K)", "a(H)", "F(2,3)", "F(3,5)"] }}"#,
+            if slide.starts_with(r#"{ "link": 5"#) { 5 } else { 3 }
+        );
+        let drawn = confirmed(&text);
+        assert!(nothing_tried(&drawn), "{text}");
+        let scene = common::read(&text);
+        let solved = solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        linkgram::check::confirm(&scene, &solved).unwrap();
+        let ([vx, vy], _) = drawn.vector("v(E)");
+        let drive = if text.contains("drive(5)") { "drive(5)" } else { "drive(3)" };
+        let given = drawn.scalar("T(2)").0 * 2.0 + drawn.scalar(drive).0 * 0.5;
+        assert!((given + 30.0 * vx - 50.0 * vy).abs() < 1e-9 * 100.0, "{given}\n{text}");
     }
 }

@@ -363,6 +363,17 @@ impl<'a> Comparison<'a> {
                 });
                 link.and_then(|link| about(p, link, matches!(vector.quantity, Quantity::RelativeNormal(..))))
             }
+            // From the end of how a pin is driven along its lever: what the lever's turning gives the point under it.
+            Quantity::CoincidentVelocity(..) if matches!(vector.tail, Label::Foot { .. }) => {
+                match vector.claim {
+                    Some(Claim::Perpendicular(Reference::Points(from, _))) => {
+                        let fixed = self.scene.mechanism.is_fixed(from);
+                        let from = (!fixed).then_some(Quantity::Velocity(from));
+                        Some(Meaning::Between([from, Some(vector.quantity)]))
+                    }
+                    _ => None,
+                }
+            }
             Quantity::RelativeVelocity(..)
             | Quantity::RelativeAcceleration(..)
             | Quantity::CoincidentVelocity(..)

@@ -50,6 +50,10 @@ impl Draughtsman<'_> {
             },
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
+            GroupKind::Planet { arm, base, wheel, centre, rolls } => {
+                self.acceleration_of_planet(step, (arm, base), (wheel, centre), rolls);
+                self.further_images(Order::Acceleration, step, group.kind);
+            }
             GroupKind::DrivenBar { link, input, .. } | GroupKind::DrivenRack { link, input, .. } => {
                 let alpha = self.driven_rate(Order::Acceleration, input);
                 self.set_rate(Order::Acceleration, link, alpha);
@@ -262,6 +266,45 @@ impl Draughtsman<'_> {
         self.points_of_wheel(Order::Acceleration, step, wheel, centre);
     }
 
+    /// A planet's contact points have the tangential parts of the bodies on which it rolls: through the point that divides the
+    /// line between those bodies' images as the centre divides that between the contacts runs a line along the arm. From the
+    /// end of Aⁿ of the centre another one square to the arm.
+    fn acceleration_of_planet(
+        &mut self,
+        step: &GroupStep,
+        (arm, base): (LinkId, PointId),
+        (wheel, centre): (LinkId, PointId),
+        rolls: [usize; 2],
+    ) {
+        let order = Order::Acceleration;
+        self.board.purpose("acceleration of a planet's centre");
+        self.step(order, &[arm], Vec::new());
+        let [first, second] = rolls.map(|roll| {
+            let other = self.rolled_on(roll, wheel);
+            let image = self.contact_image(order, roll, other);
+            (self.label_under(self.contact_of(roll), other), image)
+        });
+        let turn = self.acceleration_arm(arm, base, centre, 1);
+        let ratio = self.ratio_of_contacts((wheel, centre), rolls);
+        let between = self.board.divide(first.1, second.1, ratio);
+        let label = Label::Foot { point: centre, link: None, index: 2 };
+        self.act(Act::DivideImage { label, from: first.0, to: second.0, ratio: ratio.value() });
+        self.note_foot(order, label, between);
+        let claim = Claim::Parallel(Reference::Points(base, centre));
+        self.act(Act::DrawRay { from: label, claim });
+        let along = self.outward(arm, base, centre);
+        let reason = self.reason(&[arm, wheel]);
+        let meet = self.board.meet_lines(turn.ray, Line { through: between, along }, reason);
+        let at = self.note_image(order, centre, meet.at);
+        let head = (self.label(centre), at);
+        self.act(Act::MarkMeet { label: head.0, crossing: meet.crossing });
+        self.note_ray(order, turn.foot.1, at, turn.claim);
+        self.note_ray(order, between, at, claim);
+        self.read_alpha(&turn, Target::Pin(centre), (arm, base), head, meet.along[0]);
+        self.absolute_of(order, centre, at);
+        self.acceleration_of_wheel(step, wheel, centre, rolls[0]);
+    }
+
     /// Reads the normal acceleration of the solved body's contact point against that of the other body.
     pub(super) fn read_contact_normal(
         &mut self,
@@ -322,17 +365,30 @@ impl Draughtsman<'_> {
         pin: PointId,
         index: u8,
     ) -> ((Label, Point), Direction) {
+        let tangent = self.tangent(slide, pin);
+        let start = self.slide_start(Order::Acceleration, (slide, back), pin);
+        let link = self.foot_link(slide, back);
+        let foot = |index: u8| Label::Foot { point: pin, link, index };
+        let end = self.sliding_parts((slide, back), (pin, tangent), start, [foot(index), foot(index + 1)]);
+        (end, tangent.0)
+    }
+
+    /// The same from a point of the polygon; the feet of both parts bear these labels.
+    pub(super) fn sliding_parts(
+        &mut self,
+        (slide, back): (usize, bool),
+        (pin, (along, inward)): (PointId, (Direction, Option<Direction>)),
+        (mut label, mut at): (Label, Point),
+        feet: [Label; 2],
+    ) -> (Label, Point) {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
-        let (along, inward) = self.tangent(slide, pin);
-        let (mut label, mut at) = self.slide_start(Order::Acceleration, (slide, back), pin);
         let slip = self.motion(Order::Velocity).slidings[slide];
         if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
-            let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index };
-            (label, at) = self.lay_off_part(slide, kind, (label, at), (left, coriolis), (back, foot));
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (left, coriolis), (back, feet[0]));
         }
         if let (Some(slip), Some(inward), Path::Arc { radius, .. }) = (slip, inward, guide.path) {
             let radius = self.board.amount(radius);
@@ -347,10 +403,9 @@ impl Draughtsman<'_> {
                 value: normal.value(),
             }));
             let kind = (VectorKind::Normal, quantity);
-            let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index: index + 1 };
-            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, foot));
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, feet[1]));
         }
-        ((label, at), along)
+        (label, at)
     }
 
     /// The known parts of a rolling wheel's centre: Aⁿ = V²/l towards the other centre; on a straight line
@@ -589,6 +644,9 @@ impl Draughtsman<'_> {
         if let Some(image) = self.image_as_one(Order::Acceleration, link, base, point) {
             return image;
         }
+        if self.touches_by_own_line(link, point) {
+            return self.acceleration_at_contact(link, base, point, index);
+        }
         let scale = self.polygon_scale(Order::Acceleration);
         let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
         let label = Label::Foot { point, link: foot_of, index };
@@ -620,6 +678,46 @@ impl Draughtsman<'_> {
         );
         self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
         self.note_part(quantity, foot, image);
+        image
+    }
+    /// The same of the point by which a link's own line touches a wheel, component by component: it may be where the base is.
+    fn acceleration_at_contact(&mut self, link: LinkId, base: PointId, point: PointId, index: u8) -> Point {
+        let order = Order::Acceleration;
+        let length = self.length_to(link, base, point);
+        let (omega, alpha) = (self.rate(Order::Velocity, link), self.rate(order, link));
+        let (speed, tangential) = (self.board.product(omega, length), self.board.product(alpha, length));
+        let normal = self.board.product(omega, speed);
+        let (quantity, across) =
+            (Quantity::CoincidentNormal(point, link), Quantity::CoincidentTangential(point, link));
+        self.act(Act::Calculate(Calculation::Normal {
+            quantity,
+            velocity: Quantity::CoincidentVelocity(point, link),
+            ends: [base, point],
+            speed: speed.value().abs(),
+            length: length.value(),
+            value: normal.value(),
+        }));
+        let scale = self.polygon_scale(order);
+        let square = self.board.product(omega, omega);
+        let inward = self.way_times(square, [point, base]).map(|part| self.board.to_paper(part, scale));
+        let from = self.image(order, base);
+        let foot = self.board.moved(from, inward);
+        let label = Label::Foot { point, link: Some(link), index };
+        let line = Reference::Points(base, point);
+        let kind = (VectorKind::Normal, quantity, Some(Claim::Parallel(line)));
+        let vector = self.note_vector(order, kind, (self.label(base), from), (label, foot));
+        let mm = self.board.to_paper(normal, scale);
+        self.act(Act::LayOffVector { vector, value: normal.value(), mm: mm.value() });
+        self.note_foot(order, label, foot);
+        self.note_part(quantity, from, foot);
+        self.act_turning(order, across, link, [base, point], [alpha, length, tangential]);
+        let by = self.square_parts(alpha, [base, point], order);
+        let image = self.board.moved(foot, by);
+        let kind = (VectorKind::Tangential, across, Some(Claim::Perpendicular(line)));
+        let vector = self.note_vector(order, kind, (label, foot), (self.label_under(point, link), image));
+        let mm = self.board.to_paper(tangential, scale);
+        self.act(Act::LayOffVector { vector, value: tangential.value().abs(), mm: mm.value().abs() });
+        self.note_part(across, foot, image);
         image
     }
 }

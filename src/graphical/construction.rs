@@ -1216,6 +1216,9 @@ pub enum Act {
         driver: TrialDriver,
         /// The constraint that is left open.
         closing: Closing,
+        /// Whether it is a group of turning pairs and pins on guides of more than two links, with nothing driven in it: then
+        /// no dyad of it is solvable alone.
+        of_no_dyad: bool,
     },
     /// Draw two trial polygons.
     TryPolygon {

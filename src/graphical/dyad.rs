@@ -5,7 +5,7 @@
 
 use crate::board::{Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Group, GroupKind, Hold, Lead, Target, Unknown};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, Lead, Ram, Target, Unknown};
 use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::GroupStep;
 
@@ -28,6 +28,8 @@ struct Side {
     /// What is drawn along the route, or backwards along it.
     unknown: Vec<Term>,
     back: bool,
+    /// What is known and laid off backwards: it stands on the other side.
+    across: Vec<Term>,
 }
 
 impl Draughtsman<'_> {
@@ -59,6 +61,8 @@ impl Draughtsman<'_> {
         let pin = target.pin();
         let first = *index;
         *index += match unknown {
+            // Feet of a driven lever bear its number.
+            Unknown::Reach { .. } => 0,
             _ if order == Order::Velocity => 0,
             Unknown::Turn { .. } | Unknown::Roll { .. } | Unknown::Spin { .. } => 1,
             Unknown::Carried { .. } => 2,
@@ -88,6 +92,7 @@ impl Draughtsman<'_> {
                 self.acceleration_slide(slide, back, pin, if behind { 1 } else { first })
             }
             (_, Unknown::Turn { link, base, to }) => self.velocity_arm(link, base, to),
+            (_, Unknown::Reach { ram, to }) => self.reach_route(order, ram, to),
             (_, Unknown::Roll { roll, wheel, centre, back }) => {
                 self.velocity_roll((roll, wheel, centre), back)
             }
@@ -124,6 +129,12 @@ impl Draughtsman<'_> {
             (_, Unknown::Turn { link, base, .. }) => {
                 self.read_omega(route, target, (link, base), head, along);
             }
+            (Order::Acceleration, Unknown::Reach { ram: Ram { lever, base, .. }, to }) => {
+                self.read_alpha(route, Target::Under(to, lever), (lever, base), head, along);
+            }
+            (_, Unknown::Reach { ram: Ram { lever, base, .. }, to }) => {
+                self.read_omega(route, Target::Under(to, lever), (lever, base), head, along);
+            }
             (Order::Acceleration, Unknown::Slide { slide, back }) => {
                 self.read_sliding(route, target, (slide, back), head, along);
             }
@@ -150,6 +161,78 @@ impl Draughtsman<'_> {
             // sliding of another pin is read when its own image stands.
             (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => {}
         }
+    }
+
+    /// From the image of a driven lever's base what is known of the driven pin: of velocities how it is driven, of
+    /// accelerations Aⁿ = ω² l of the lever's point under it, Coriolis, and how it is driven. From their end the line of what
+    /// the lever's turning leaves unknown, square to the line of base and pin.
+    fn reach_route(&mut self, order: Order, ram: Ram, to: PointId) -> Route {
+        let Ram { lever, base, slide, input } = ram;
+        let back = ram.slides(self.mechanism);
+        let (rider, guide) = (self.riding_point(slide, to), self.mechanism.slides[slide].guide.link);
+        let given = self.driven_rate(order, Drive::Input(input));
+        let scale = self.polygon_scale(order);
+        let foot = |index: u8| Label::Foot { point: to, link: Some(lever), index };
+        let mut start = (self.label(base), self.image(order, base));
+        let mut index = 1;
+        let tangent = self.tangent(slide, to);
+        let quantity = match order {
+            Order::Acceleration => {
+                start = (foot(index), self.lay_off_reach(ram, to, foot(index)));
+                start = self.sliding_parts((slide, back), (to, tangent), start, [foot(index + 1); 2]);
+                index += 2;
+                Quantity::SlipAcceleration(rider, guide)
+            }
+            _ => Quantity::Slip(rider, guide),
+        };
+        let along = tangent.0;
+        let mm = self.board.to_paper(given, scale);
+        let way = if back { self.board.reverse(along) } else { along };
+        let at = self.lay_off_vector(quantity, start.1, way, mm);
+        self.motion_mut(order).slidings[slide] = Some(given);
+        let end = (foot(index), at);
+        let [tail, head] = if back { [end, start] } else { [start, end] };
+        let claim = Some(Claim::Parallel(Reference::Guide(slide)));
+        let vector = self.note_vector(order, (VectorKind::Sliding, quantity, claim), tail, head);
+        self.act(Act::LayOffVector { vector, value: given.value().abs(), mm: mm.value().abs() });
+        self.note_foot(order, end.0, at);
+        self.note_part(quantity, tail.1, head.1);
+        let along = self.square_to(lever, base, to);
+        let claim = Claim::Perpendicular(Reference::Points(base, to));
+        self.act(Act::DrawRay { from: end.0, claim });
+        Route { foot: end, ray: Line { through: at, along }, claim, unknown: Unknown::Reach { ram, to } }
+    }
+
+    /// Aⁿ = ω² l of the point of a driven lever under the driven pin, laid off from the image of its base.
+    fn lay_off_reach(&mut self, ram: Ram, to: PointId, label: Label) -> Point {
+        let Ram { lever, base, .. } = ram;
+        let order = Order::Acceleration;
+        let length = self.length_to(lever, base, to);
+        let omega = self.rate(Order::Velocity, lever);
+        let speed = self.board.product(omega, length);
+        let normal = self.board.product(omega, speed);
+        let quantity = Quantity::CoincidentNormal(to, lever);
+        self.act(Act::Calculate(Calculation::Normal {
+            quantity,
+            velocity: Quantity::CoincidentVelocity(to, lever),
+            ends: [base, to],
+            speed: speed.value().abs(),
+            length: length.value(),
+            value: normal.value(),
+        }));
+        let outward = self.outward(lever, base, to);
+        let inward = self.board.reverse(outward);
+        let scale = self.polygon_scale(order);
+        let mm = self.board.to_paper(normal, scale);
+        let from = self.image(order, base);
+        let at = self.lay_off_vector(quantity, from, inward, mm);
+        let claim = Some(Claim::Parallel(Reference::Points(base, to)));
+        let ends = [(self.label(base), from), (label, at)];
+        let vector = self.note_vector(order, (VectorKind::Normal, quantity, claim), ends[0], ends[1]);
+        self.act(Act::LayOffVector { vector, value: normal.value(), mm: mm.value() });
+        self.note_foot(order, label, at);
+        self.note_part(quantity, from, at);
+        at
     }
 
     /// From the image of the solved body's contact point a line along the common normal.
@@ -196,6 +279,11 @@ impl Draughtsman<'_> {
                     Order::Acceleration => self.acceleration_arm(rod, base, other, 1),
                     _ => self.velocity_arm(rod, base, other),
                 };
+                self.take_back_act();
+                (route.foot, route.ray.along, route.claim)
+            }
+            (Hold::Ram(ram), _) => {
+                let route = self.reach_route(order, ram, other);
                 self.take_back_act();
                 (route.foot, route.ray.along, route.claim)
             }
@@ -396,8 +484,10 @@ impl Draughtsman<'_> {
         self.step(order, &links, Vec::new());
         self.rates_by_riding(order, kind);
         // Of accelerations what turns about the frame is laid off first.
-        let about_frame =
-            |unknown: Unknown| matches!(unknown, Unknown::Turn { base, .. } if self.mechanism.is_fixed(base));
+        let about_frame = |unknown: Unknown| {
+            matches!(unknown, Unknown::Turn { base, .. } | Unknown::Reach { ram: Ram { base, .. }, .. }
+                if self.mechanism.is_fixed(base))
+        };
         let swapped = order == Order::Acceleration && !about_frame(unknowns[0]) && about_frame(unknowns[1]);
         let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
         let mut index = 1;
@@ -424,7 +514,15 @@ impl Draughtsman<'_> {
             self.note_ray(order, route.foot.1, at, route.claim);
             self.read_route(order, route, target, (label, at), along);
         }
-        if let GroupKind::Rpr { lever, rod: Some(rod), .. } = kind {
+        let as_one: Vec<(LinkId, LinkId)> = match kind {
+            GroupKind::Rpr { lever, rod: Some(rod), .. } => vec![(lever, rod)],
+            GroupKind::Driven { holds, riders, .. } => {
+                let pairs = holds.into_iter().zip(riders);
+                pairs.filter_map(|(hold, rider)| Some((hold.ram()?.lever, rider?))).collect()
+            }
+            _ => Vec::new(),
+        };
+        for (lever, rod) in as_one {
             let rate = self.rate(order, lever);
             self.set_rate(order, rod, rate);
         }
@@ -467,7 +565,9 @@ impl Draughtsman<'_> {
         let from_frame = |d: &Self, unknown: Unknown| match (order, unknown) {
             (_, Unknown::Slide { slide, back }) => d.solved_side(slide, back) == Some(LinkId::FRAME),
             (Order::Acceleration, _) => false,
-            (_, Unknown::Turn { base, .. }) => d.mechanism.is_fixed(base),
+            (_, Unknown::Turn { base, .. } | Unknown::Reach { ram: Ram { base, .. }, .. }) => {
+                d.mechanism.is_fixed(base)
+            }
             (_, Unknown::Roll { roll, wheel, .. }) => d.rolled_on(roll, wheel) == LinkId::FRAME,
             (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => false,
         };
@@ -478,6 +578,8 @@ impl Draughtsman<'_> {
         let [first, second] = unknowns.map(|unknown| self.side_of(order, target, unknown));
         let [mut left, mut right] = if second_first { [second, first] } else { [first, second] };
         let mut sides = [std::mem::take(&mut left.known), std::mem::take(&mut right.known)];
+        sides[0].append(&mut right.across);
+        sides[1].append(&mut left.across);
         for (side, own) in [(right, 1), (left, 0)] {
             sides[if side.back { 1 - own } else { own }].extend(side.unknown);
         }
@@ -523,6 +625,7 @@ impl Draughtsman<'_> {
         let pin = target.pin();
         let mut known = Vec::new();
         let mut drawn = Vec::new();
+        let mut across = Vec::new();
         let sought = |quantity: Quantity, claim: Claim| Term {
             quantity,
             magnitude: None,
@@ -547,6 +650,40 @@ impl Draughtsman<'_> {
                 };
                 drawn.push(sought(quantity, Claim::Perpendicular(line)));
             }
+            Unknown::Reach { ram, to } => {
+                let Ram { lever, base, slide, .. } = ram;
+                known.extend(base_of(self, base));
+                let (line, guide) = (Reference::Points(base, to), self.mechanism.slides[slide].guide.link);
+                let rider = self.riding_point(slide, to);
+                let (parallel, square) =
+                    (Claim::Parallel(Reference::Guide(slide)), Claim::Perpendicular(line));
+                let mut laid = Vec::new();
+                let turning = if second {
+                    let normal = TermDirection::Claim(Claim::Parallel(line));
+                    drawn.extend(self.laid_off(order, Quantity::CoincidentNormal(to, lever), normal));
+                    let to_guide = TermDirection::Claim(Claim::Perpendicular(Reference::Guide(slide)));
+                    laid.extend(self.laid_off(order, Quantity::Coriolis(rider, guide), to_guide));
+                    laid.extend(self.laid_off(
+                        order,
+                        Quantity::SlipAcceleration(rider, guide),
+                        TermDirection::Claim(parallel),
+                    ));
+                    Quantity::CoincidentTangential(to, lever)
+                } else {
+                    laid.extend(self.laid_off(
+                        order,
+                        Quantity::Slip(rider, guide),
+                        TermDirection::Claim(parallel),
+                    ));
+                    Quantity::CoincidentVelocity(to, lever)
+                };
+                if ram.slides(self.mechanism) {
+                    across = laid
+                } else {
+                    drawn.append(&mut laid)
+                }
+                drawn.push(sought(turning, square));
+            }
             Unknown::Roll { roll, wheel, centre, back: true } => {
                 known.push(self.found_image(order, centre));
                 if second {
@@ -556,7 +693,7 @@ impl Draughtsman<'_> {
                 let claim = self.rolling_direction(roll, wheel, centre).1;
                 let (quantity, _) = self.rolling_unknown(order, (roll, wheel, centre), Label::Pole);
                 drawn.push(sought(quantity, claim));
-                return Side { known, unknown: drawn, back: true };
+                return Side { known, unknown: drawn, back: true, across: Vec::new() };
             }
             Unknown::Roll { roll, wheel, centre, back: false } => {
                 let body = self.rolled_on(roll, wheel);
@@ -607,7 +744,7 @@ impl Draughtsman<'_> {
                 }
                 let (quantity, reversed) = self.sliding_unknown(order, target, (slide, back));
                 drawn.push(sought(quantity, Claim::Parallel(line)));
-                return Side { known, unknown: drawn, back: reversed };
+                return Side { known, unknown: drawn, back: reversed, across: Vec::new() };
             }
             Unknown::Carried { hold, back, pin: other, .. } => {
                 let side = self.side_of(order, Target::Pin(other), hold.unknown(back, other));
@@ -631,7 +768,7 @@ impl Draughtsman<'_> {
                 if side.back {
                     // What slides stands on the other side of the equation, what the link's turning gives on this.
                     known.append(&mut drawn);
-                    return Side { known, unknown: side.unknown, back: true };
+                    return Side { known, unknown: side.unknown, back: true, across: Vec::new() };
                 }
             }
             Unknown::Contact { roll, body } => {
@@ -643,7 +780,7 @@ impl Draughtsman<'_> {
                     let claim = self.common_normal(roll).1;
                     drawn.push(sought(Quantity::ContactNormal(pin, other, body), claim));
                 }
-                return Side { known, unknown: drawn, back: true };
+                return Side { known, unknown: drawn, back: true, across: Vec::new() };
             }
             Unknown::Spin { roll, wheel, centre } => {
                 let other = self.rolled_on(roll, wheel);
@@ -664,7 +801,7 @@ impl Draughtsman<'_> {
                 }
             }
         }
-        Side { known, unknown: drawn, back: false }
+        Side { known, unknown: drawn, back: false, across }
     }
 
     /// A part whose magnitude was calculated and laid off.

@@ -4,7 +4,7 @@
 use crate::board::{Angle, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, TrialDriver};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, Ram, TrialDriver};
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -141,7 +141,11 @@ impl Draughtsman<'_> {
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot)?,
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll)?,
+            GroupKind::Planet { arm, base, wheel, centre, rolls } => {
+                self.planet(step, (arm, base), (wheel, centre), rolls)?;
+            }
             GroupKind::DrivenBar { .. } => self.driven_bar(step, group.kind)?,
+            GroupKind::Driven { pin, holds, riders } => self.driven_pin(step, pin, holds, riders)?,
             GroupKind::Rack { link, roll, .. } => self.rack(step, link, roll)?,
             GroupKind::DrivenWheel { wheel, centre, roll, input, .. } => {
                 self.driven_wheel(step, (wheel, centre), roll, input)?;
@@ -769,7 +773,7 @@ impl Draughtsman<'_> {
                 // The track of what the pair holds, and where that lies in the link's own figure.
                 let (held, track) = match holds[i] {
                     // Where rolling holds it, its place is given.
-                    Hold::Contact { .. } => return Err(DrawError::NotPlaced { point }),
+                    Hold::Contact { .. } | Hold::Ram(_) => return Err(DrawError::NotPlaced { point }),
                     Hold::Slide(slide) if under[i] => {
                         let at = self.at(pins[i]);
                         match self.own_track(slide, Some(pins[i])) {
@@ -840,8 +844,148 @@ impl Draughtsman<'_> {
                 Hold::Slide(slide) => self.ride_along(step, slide, rider, pin),
                 Hold::Contact { roll, wheel } => self.contact(wheel, roll),
                 Hold::Rod { rod, base } => self.transfer_points(step, &[(rod, base)], pin),
+                Hold::Ram(ram) => self.lay_on_ram(step, ram, rider, pin)?,
             }
         }
+        Ok(())
+    }
+
+    /// A pin at the distance to which it is driven along a lever: the arc about the lever's base meets that of a rod, or a
+    /// guide. Then the lever is laid on.
+    fn driven_pin(
+        &mut self,
+        step: &GroupStep,
+        pin: PointId,
+        holds: [Hold; 2],
+        riders: [Option<LinkId>; 2],
+    ) -> Result<(), DrawError> {
+        self.board.purpose("pin at a driven distance");
+        if self.prick_given(pin) {
+            self.act(Act::MarkPlaces);
+        } else {
+            self.meet_driven(pin, holds, riders)?;
+        }
+        for (hold, rider) in holds.into_iter().zip(riders) {
+            match hold {
+                Hold::Rod { rod, base } => self.transfer_points(step, &[(rod, base)], pin),
+                Hold::Slide(slide) => self.ride_along(step, slide, rider, pin),
+                Hold::Contact { roll, wheel } => self.contact(wheel, roll),
+                Hold::Ram(ram) => self.lay_on_ram(step, ram, rider, pin)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Where the tracks of a driven pin meet.
+    fn meet_driven(
+        &mut self,
+        pin: PointId,
+        holds: [Hold; 2],
+        riders: [Option<LinkId>; 2],
+    ) -> Result<(), DrawError> {
+        let mut arcs: Vec<((LinkId, PointId), Circle)> = Vec::new();
+        let mut guides = Vec::new();
+        for (hold, rider) in holds.into_iter().zip(riders) {
+            match hold {
+                Hold::Rod { rod, base } => arcs.push(((rod, base), self.circle((rod, base), pin))),
+                Hold::Ram(ram) => {
+                    let Some([from, to]) = self.own_reach(ram, rider, pin) else {
+                        return Err(DrawError::NotPlaced { point: pin });
+                    };
+                    let circle = Circle { centre: self.at(ram.base), radius: self.board.distance(from, to) };
+                    arcs.push(((ram.lever, ram.base), circle));
+                }
+                Hold::Slide(slide) => guides.push((slide, self.riding_track(slide, rider, pin))),
+                Hold::Contact { .. } => return Err(DrawError::NotPlaced { point: pin }),
+            }
+        }
+        let links: Vec<LinkId> = arcs.iter().map(|&((link, _), _)| link).collect();
+        let (pair, beside) = match (arcs.as_slice(), guides.as_slice()) {
+            (&[(main, circle)], &[(slide, track)]) => {
+                self.act(Act::DrawGuide { slide });
+                (self.meet_track(track, circle, main, (slide, pin))?, riders[1].map(|link| (slide, link)))
+            }
+            (&[(main, circle), ((_, base), other)], []) => {
+                let reason = self.reason(&links);
+                let per_mm = self.scales.length();
+                let [dx, dy] = self.board.between(circle.centre, other.centre).map(|d| d.value());
+                let name = |d: &Self, point: PointId| d.mechanism.point(point).name.clone();
+                let met = self.board.meet_circles(circle, other, reason);
+                let pair = met.map_err(|_| DrawError::CannotAssemble {
+                    pin,
+                    why: Box::new(Misfit {
+                        first: (name(self, main.1), circle.radius.value() * per_mm),
+                        second: (name(self, base), Some(other.radius.value() * per_mm)),
+                        pin: name(self, pin),
+                        distance: libm::hypot(dx, dy) * per_mm,
+                    }),
+                    range: None,
+                })?;
+                (pair, None)
+            }
+            _ => return Err(DrawError::NoConstruction { links }),
+        };
+        for &((_, base), circle) in &arcs {
+            let radius = circle.radius.value() * self.scales.length();
+            self.act(Act::StrikeArc { centre: base, to: pin, radius });
+        }
+        let rods: Vec<(LinkId, PointId)> = holds.into_iter().filter_map(Hold::rod).collect();
+        self.take_hinted(&rods, beside, pin, pair)?;
+        let (at, step) = (self.at(pin).value(), self.step_index());
+        for (_, circle) in arcs {
+            let (centre, radius) = (circle.centre.value(), circle.radius.value());
+            self.space_line(ConstructionLine::Arc { centre, radius, at, step });
+        }
+        Ok(())
+    }
+
+    /// Of a driven lever and its partner the places of the base and of the driven pin in the figure of that which carries
+    /// the guide; none where the input says no place along it.
+    fn own_reach(&mut self, ram: Ram, partner: Option<LinkId>, pin: PointId) -> Option<[Point; 2]> {
+        let Input::Slide { at: Some(at), .. } = self.mechanism.inputs[ram.input] else { return None };
+        let (carrier, joint, rider) = match partner {
+            Some(carrier) if ram.slides(self.mechanism) => (carrier, pin, ram.base),
+            _ => (ram.lever, ram.base, pin),
+        };
+        // A rider of placed points is where these are.
+        let as_placed = matches!(self.mechanism.slides[ram.slide].rider, Rider::Link { turned: None, .. });
+        if as_placed && self.joint_of_rider(ram.slide) != Some(rider) {
+            return None;
+        }
+        let Track::Straight(line) = self.own_track(ram.slide, Some(rider)) else { return None };
+        let at = self.board.input_amount(ram.input, at);
+        let scale = self.length_scale();
+        let mm = self.board.to_paper(at, scale);
+        let end = self.board.lay_off(line.through, line.along, mm);
+        Some([self.own(carrier, joint), end])
+    }
+
+    /// Lays on a driven lever with what slides on it, when its base and the driven pin stand.
+    fn lay_on_ram(
+        &mut self,
+        step: &GroupStep,
+        ram: Ram,
+        partner: Option<LinkId>,
+        pin: PointId,
+    ) -> Result<(), DrawError> {
+        let (carrier, joint, rider) = match partner {
+            Some(carrier) if ram.slides(self.mechanism) => (carrier, pin, ram.base),
+            _ => (ram.lever, ram.base, pin),
+        };
+        match self.own_reach(ram, partner, pin) {
+            Some([own_joint, own_rider]) if !self.stands_in_world(carrier) => {
+                self.act(Act::DrawGuide { slide: ram.slide });
+                let (anchor, at_rider) = (self.at(joint), self.at(rider));
+                let reason = self.reason(&[ram.lever]);
+                let (own_along, _) = self.board.toward(own_joint, own_rider, reason);
+                let (along, _) = self.board.toward(anchor, at_rider, reason);
+                self.poses[carrier.0] = Some(Pose { own_anchor: own_joint, anchor, own_along, along });
+                self.transfer_by_pose(step, carrier);
+            }
+            _ => self.rpr(step, carrier, joint, rider, ram.slide)?,
+        }
+        let sliding = if carrier == ram.lever { partner } else { Some(ram.lever) };
+        self.ride_along(step, ram.slide, sliding, rider);
         Ok(())
     }
 
@@ -1110,6 +1254,28 @@ impl Draughtsman<'_> {
             self.one_joint_link(wheel, centre)?;
         }
         self.contact(wheel, roll);
+        Ok(())
+    }
+
+    /// A planet on its arm: its centre is placed, for rolling says nothing of where it began.
+    fn planet(
+        &mut self,
+        step: &GroupStep,
+        (arm, base): (LinkId, PointId),
+        (wheel, centre): (LinkId, PointId),
+        rolls: [usize; 2],
+    ) -> Result<(), DrawError> {
+        self.board.purpose("planet on its arm");
+        if !self.prick_given(centre) {
+            let Some(at) = self.place_by_places(centre) else {
+                return Err(DrawError::NotPlaced { point: centre });
+            };
+            self.place(centre, at);
+        }
+        self.act(Act::MarkPlaces);
+        self.transfer_points(step, &[(arm, base)], centre);
+        self.wheel(step, wheel, centre, rolls[0])?;
+        self.contact(wheel, rolls[1]);
         Ok(())
     }
 

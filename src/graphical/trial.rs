@@ -280,6 +280,25 @@ impl<'m> Draughtsman<'m> {
         drawn
     }
 
+    /// Whether a trial is of a group of more than two links with turning pairs and pins on guides alone, and nothing driven in
+    /// it. Of others a reader may find a dyad by what is driven, rolls or slides without turning.
+    fn has_no_dyad(&self, trial: &Trial) -> bool {
+        let plain = |joint: &Joint| match *joint {
+            Joint::Pin(..) | Joint::Trial(_) => true,
+            Joint::Slide(slide) => matches!(self.mechanism.slides[slide].rider, Rider::Pin { .. }),
+            Joint::Roll(_) | Joint::Contact(_) | Joint::Input(_) | Joint::TurnsWith(..) => false,
+        };
+        let open = |&(_, closing): &(TrialDriver, Closing)| {
+            matches!(closing, Closing::Rod { .. } | Closing::Slide { .. })
+        };
+        let mut links = self.links_of_trial(trial);
+        links.extend(closing_rods(trial));
+        links.retain(|&link| !self.mechanism.link(link).block);
+        links.len() > 2
+            && trial.groups.iter().flat_map(|group| &group.joints).all(plain)
+            && trial.drivers.iter().all(open)
+    }
+
     fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
         let mut root = self.find_root(trial)?;
         let slope = self.settle_root(trial, steps, &mut root);
@@ -287,7 +306,7 @@ impl<'m> Draughtsman<'m> {
         let Some(&(driver, closing)) = trial.drivers.first() else {
             return Err(DrawError::NoConstruction { links });
         };
-        self.act(Act::TryPosition { driver, closing });
+        self.act(Act::TryPosition { driver, closing, of_no_dyad: self.has_no_dyad(trial) });
         // First with the angle found on the scratch board, then with what the tape makes of it.
         let found = self.board.found(root.angle);
         self.silent = true;
@@ -1143,6 +1162,7 @@ fn choices(trial: &Trial) -> usize {
                 | GroupKind::Rpp { .. }
                 | GroupKind::Yoke { .. }
                 | GroupKind::DrivenBar { .. }
+                | GroupKind::Driven { .. }
                 | GroupKind::Rolling { .. }
         )
     };

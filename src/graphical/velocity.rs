@@ -54,6 +54,7 @@ impl Draughtsman<'_> {
             },
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
+            GroupKind::Planet { .. } => self.velocity_of_planet(step, group.kind),
             GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
             GroupKind::DrivenRack { .. } => self.velocity_of_driven_rack(step, group.kind),
             GroupKind::DrivenBar { link, input, .. } => {
@@ -260,14 +261,28 @@ impl Draughtsman<'_> {
     /// The contact points of both bodies have one velocity; ω of the wheel is that velocity, seen from its
     /// centre, over its radius.
     fn velocity_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
-        let contact = self.contact_of(roll);
         self.board.purpose("velocity of a contact point");
         self.step(Order::Velocity, &[wheel], Vec::new());
+        self.contact_without_slip(wheel, roll);
+        self.spin_from_contact(wheel, centre, roll);
+        self.points_of_wheel(Order::Velocity, step, wheel, centre);
+    }
+
+    /// The contact points of both bodies have one velocity.
+    fn contact_without_slip(&mut self, wheel: LinkId, roll: usize) -> (Label, Point) {
+        let contact = self.contact_of(roll);
         let other = self.rolled_on(roll, wheel);
         let image = self.contact_image(Order::Velocity, roll, other);
         self.note_under(Order::Velocity, contact, wheel, image);
         let labels = (self.label_under(contact, wheel), self.label_under(contact, other));
         self.act(Act::SameImage { label: labels.0, with: labels.1 });
+        (labels.0, image)
+    }
+
+    /// ω of a wheel: the velocity of its contact point, seen from its centre, over its radius.
+    fn spin_from_contact(&mut self, wheel: LinkId, centre: PointId, roll: usize) {
+        let contact = self.contact_of(roll);
+        let image = self.contact_image(Order::Velocity, roll, wheel);
         let from = self.image(Order::Velocity, centre);
         let quantity = Quantity::CoincidentVelocity(contact, wheel);
         let claim = Claim::Perpendicular(Reference::Points(centre, contact));
@@ -275,7 +290,7 @@ impl Draughtsman<'_> {
             Order::Velocity,
             (self.kind_of(centre), quantity, Some(claim)),
             (self.label(centre), from),
-            (labels.0, image),
+            (self.label_under(contact, wheel), image),
         );
         self.act_read(Order::Velocity, vector);
         let square = self.square_to(wheel, centre, contact);
@@ -296,7 +311,47 @@ impl Draughtsman<'_> {
             length: radius.value(),
             value: omega.value(),
         }));
-        self.points_of_wheel(Order::Velocity, step, wheel, centre);
+    }
+
+    /// The velocities of both contact points of a planet are known: its centre divides the line between their images as it
+    /// divides that between them. ω of the arm, then that of the planet.
+    fn velocity_of_planet(&mut self, step: &GroupStep, kind: GroupKind) {
+        let GroupKind::Planet { arm, base, wheel, centre, rolls } = kind else { return };
+        let order = Order::Velocity;
+        self.board.purpose("velocity of a planet's centre");
+        self.step(order, &[arm, wheel], Vec::new());
+        let [first, second] = rolls.map(|roll| self.contact_without_slip(wheel, roll));
+        let ratio = self.ratio_of_contacts((wheel, centre), rolls);
+        let at = self.board.divide(first.1, second.1, ratio);
+        let at = self.note_image(order, centre, at);
+        let head = (self.label(centre), at);
+        self.act(Act::DivideImage { label: head.0, from: first.0, to: second.0, ratio: ratio.value() });
+        let (from, along) = (self.image(order, base), self.square_to(arm, base, centre));
+        let claim = Claim::Perpendicular(Reference::Points(base, centre));
+        let (foot, unknown) = ((self.label(base), from), Unknown::Turn { link: arm, base, to: centre });
+        let route = Route { foot, ray: Line { through: from, along }, claim, unknown };
+        let [along, _] = self.board.square_off(route.ray, at);
+        self.read_omega(&route, Target::Pin(centre), (arm, base), head, along);
+        self.absolute_of(order, centre, at);
+        self.spin_from_contact(wheel, centre, rolls[0]);
+        self.points_of_wheel(order, step, wheel, centre);
+        self.further_images(order, step, kind);
+    }
+
+    /// How the centre of a planet divides the line between its contact points, from the first one.
+    pub(super) fn ratio_of_contacts(
+        &mut self,
+        (wheel, centre): (LinkId, PointId),
+        rolls: [usize; 2],
+    ) -> Ratio {
+        let [from, to] = rolls.map(|roll| self.contact_of(roll));
+        let (through, middle, end) = (self.at(from), self.at(centre), self.at(to));
+        let along = self.outward(wheel, centre, from);
+        let line = Line { through, along };
+        let [part, _] = self.board.square_off(line, middle);
+        let [whole, _] = self.board.square_off(line, end);
+        let reason = self.reason(&[wheel]);
+        self.board.ratio(part, whole, reason)
     }
 
     /// Images of the further points of a wheel, about its centre.
@@ -515,7 +570,11 @@ impl Draughtsman<'_> {
             Target::Pin(pin) => self.relative_velocity(pin, base),
             Target::Under(pin, link) => Quantity::CoincidentVelocity(pin, link),
         };
-        let kind = self.kind_of(base);
+        // Behind the velocity with which a pin is driven along its lever it does not start from the pole.
+        let kind = match route.unknown {
+            Unknown::Reach { .. } => VectorKind::Relative,
+            _ => self.kind_of(base),
+        };
         let vector = self.note_vector(
             Order::Velocity,
             (kind, quantity, Some(route.claim)),
@@ -811,10 +870,39 @@ impl Draughtsman<'_> {
             let ends = [base, point];
             self.act_turning(Order::Velocity, quantity, link, ends, [omega, length, speed]);
         }
+        let from = self.image(Order::Velocity, base);
+        if self.touches_by_own_line(link, point) {
+            let by = self.square_parts(omega, [base, point], Order::Velocity);
+            return self.board.moved(from, by);
+        }
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(speed, scale);
-        let from = self.image(Order::Velocity, base);
         self.lay_off_vector(quantity, from, square, mm)
+    }
+
+    /// Whether a point is where a link touches a wheel by its own line. It may be at a joint of the link, and no line leads from
+    /// the one to the other then.
+    pub(super) fn touches_by_own_line(&self, link: LinkId, point: PointId) -> bool {
+        let roll = self.mechanism.roll_at(point).map(|roll| self.mechanism.rolls[roll]);
+        matches!(roll, Some(Roll::Line { guide, .. }) if guide.link == link) && self.departures.is_empty()
+    }
+
+    /// A rate times the way from one point to another, turned by +90°, component by component: ω l or ε l as lengths on paper.
+    /// It needs no direction, and is nothing where the way is.
+    pub(super) fn square_parts(&mut self, rate: Amount, ends: [PointId; 2], order: Order) -> [Mm; 2] {
+        let [x, y] = self.way_times(rate, ends);
+        let scale = self.polygon_scale(order);
+        [self.board.opposite(y), x].map(|part| self.board.to_paper(part, scale))
+    }
+
+    /// The components of the way from one point to another, each times an amount.
+    pub(super) fn way_times(&mut self, by: Amount, [from, to]: [PointId; 2]) -> [Amount; 2] {
+        let (from, to) = (self.at(from), self.at(to));
+        let space = self.length_scale();
+        self.board.between(from, to).map(|part| {
+            let part = self.board.read(part, space);
+            self.board.product(by, part)
+        })
     }
 
     /// Calculates V = ω l or Aᵗ = ε l.

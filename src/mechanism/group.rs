@@ -152,6 +152,20 @@ pub enum GroupKind {
         /// What says how it turns.
         input: Drive,
     },
+    /// A wheel on an arm that rolls on two solved bodies about the arm's own pin (planet between sun and ring): their speeds
+    /// tell those of both.
+    Planet {
+        /// The arm.
+        arm: LinkId,
+        /// Its pin on a solved link, about which both bodies have their circles.
+        base: PointId,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre, on the arm.
+        centre: PointId,
+        /// Indices into [`Mechanism::rolls`].
+        rolls: [usize; 2],
+    },
     /// A rod that carries the centre of a wheel, which is held against a solved body.
     Rolling {
         /// The rod.
@@ -192,6 +206,17 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A pin that a lever about a solved pin holds at the distance to which it is driven along the lever (hydraulic
+    /// cylinder), and that is held besides: by a rod, by another such lever, or by a guide of a solved link.
+    Driven {
+        /// The pin.
+        pin: PointId,
+        /// What holds it; a driven lever first.
+        holds: [Hold; 2],
+        /// For each hold the link that has the pin and slides without turning, where it is not the pin itself or its block
+        /// that slides.
+        riders: [Option<LinkId>; 2],
+    },
     /// A driven link whose own line rolls on a wheel that is solved: nothing else holds it.
     DrivenRack {
         /// The link.
@@ -214,6 +239,28 @@ pub enum GroupKind {
     Other,
 }
 
+/// A lever about a solved pin, along which another pin is driven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ram {
+    /// The lever: it carries the guide, or it is the rod that slides on the guide of what has the driven pin.
+    pub lever: LinkId,
+    /// Its pin on a solved link.
+    pub base: PointId,
+    /// Index into [`Mechanism::slides`].
+    pub slide: usize,
+    /// Index into [`Mechanism::inputs`].
+    pub input: usize,
+}
+
+impl Ram {
+    /// Whether the lever slides, and its partner carries the guide: then the driven pin moves against the lever as the guide
+    /// against the rider.
+    #[must_use]
+    pub fn slides(self, mechanism: &Mechanism) -> bool {
+        matches!(mechanism.slides[self.slide].rider, Rider::Link { link, .. } if link == self.lever)
+    }
+}
+
 /// What holds a pin of a driven link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hold {
@@ -233,6 +280,8 @@ pub enum Hold {
         /// Its pin on a solved link.
         base: PointId,
     },
+    /// A lever along which it is driven.
+    Ram(Ram),
 }
 
 impl Hold {
@@ -241,7 +290,7 @@ impl Hold {
     pub const fn slide(self) -> Option<usize> {
         match self {
             Self::Slide(slide) => Some(slide),
-            Self::Contact { .. } | Self::Rod { .. } => None,
+            Self::Contact { .. } | Self::Rod { .. } | Self::Ram(_) => None,
         }
     }
 
@@ -250,7 +299,16 @@ impl Hold {
     pub const fn rod(self) -> Option<(LinkId, PointId)> {
         match self {
             Self::Rod { rod, base } => Some((rod, base)),
-            Self::Slide(_) | Self::Contact { .. } => None,
+            Self::Slide(_) | Self::Contact { .. } | Self::Ram(_) => None,
+        }
+    }
+
+    /// The driven lever, where it is one.
+    #[must_use]
+    pub const fn ram(self) -> Option<Ram> {
+        match self {
+            Self::Ram(ram) => Some(ram),
+            Self::Slide(_) | Self::Contact { .. } | Self::Rod { .. } => None,
         }
     }
 
@@ -261,6 +319,7 @@ impl Hold {
             Self::Slide(slide) => Unknown::Slide { slide, back },
             Self::Contact { roll, wheel } => Unknown::Roll { roll, wheel, centre: pin, back },
             Self::Rod { rod, base } => Unknown::Turn { link: rod, base, to: pin },
+            Self::Ram(ram) => Unknown::Reach { ram, to: pin },
         }
     }
 }
@@ -280,9 +339,11 @@ impl fmt::Display for GroupKind {
             Self::Rack { .. } => "rack",
             Self::DrivenBar { .. } => "driven bar",
             Self::DrivenWheel { .. } => "driven wheel",
+            Self::Planet { .. } => "planet on its arm",
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::PinnedRack { .. } => "pinned rack",
             Self::RidingCentre { .. } => "riding link on a rolling contact",
+            Self::Driven { .. } => "driven cylinder",
             Self::DrivenRack { .. } => "driven rack",
             Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
@@ -319,6 +380,13 @@ pub enum Unknown {
         /// Its pin on a solved link.
         base: PointId,
         /// The point whose image the line leads to.
+        to: PointId,
+    },
+    /// A lever turns about its base, and a pin is driven along it.
+    Reach {
+        /// The lever.
+        ram: Ram,
+        /// The driven pin.
         to: PointId,
     },
     /// A rider slides along its guide.
@@ -376,7 +444,11 @@ impl Unknown {
         match self {
             Self::Slide { slide, .. } => Some(slide),
             Self::Carried { hold, .. } => hold.slide(),
-            Self::Turn { .. } | Self::Roll { .. } | Self::Contact { .. } | Self::Spin { .. } => None,
+            Self::Turn { .. }
+            | Self::Reach { .. }
+            | Self::Roll { .. }
+            | Self::Contact { .. }
+            | Self::Spin { .. } => None,
         }
     }
 }
@@ -452,6 +524,14 @@ impl GroupKind {
                 };
                 (Target::Pin(point), [0, 1].map(hold))
             }
+            Self::Driven { pin, holds, riders } => {
+                let back = |i: usize| {
+                    holds[i]
+                        .slide()
+                        .is_some_and(|slide| riders[i] == Some(mechanism.slides[slide].guide.link))
+                };
+                (Target::Pin(pin), [0, 1].map(|i| holds[i].unknown(back(i), pin)))
+            }
             Self::DrivenRack { link, wheel, centre, roll, .. } => {
                 let hold = Hold::Contact { roll, wheel };
                 (
@@ -472,6 +552,7 @@ impl GroupKind {
             Self::Driver { .. }
             | Self::DrivenSlide { .. }
             | Self::Wheel { .. }
+            | Self::Planet { .. }
             | Self::Higher { .. }
             | Self::Other => return None,
         })
@@ -484,6 +565,7 @@ impl GroupKind {
             Self::Driver { base, .. }
             | Self::Rrp { base, .. }
             | Self::Rolling { base, .. }
+            | Self::Planet { base, .. }
             | Self::PinnedRack { base, .. }
             | Self::Rpp { base, .. }
             | Self::Yoke { pin: base, .. }
@@ -497,6 +579,13 @@ impl GroupKind {
                     _ => under[i].then_some(pins[i]),
                 };
                 (0..2).filter_map(base).collect()
+            }
+            Self::Driven { holds, .. } => {
+                let base = |hold: Hold| match hold {
+                    Hold::Rod { base, .. } | Hold::Ram(Ram { base, .. }) => Some(base),
+                    Hold::Slide(_) | Hold::Contact { .. } => None,
+                };
+                holds.into_iter().filter_map(base).collect()
             }
             Self::Prp { .. }
             | Self::Rack { .. }
@@ -524,6 +613,9 @@ impl GroupKind {
     #[must_use]
     pub fn main_points(self, mechanism: &Mechanism) -> Vec<PointId> {
         let mut points = self.bases();
+        if let Self::Planet { centre, .. } = self {
+            points.push(centre);
+        }
         if let Some((target, unknowns)) = self.unknowns(mechanism) {
             if let Target::Pin(pin) = target {
                 points.push(pin);
@@ -543,6 +635,7 @@ impl GroupKind {
             Self::Rpp { lever, base, .. } if link == lever => Some(Lead::Turning(base)),
             Self::Rpr { lever, pin, .. } if link != lever => Some(Lead::Turning(pin)),
             Self::DrivenBar { link: bar, point, .. } if link == bar => Some(Lead::Turning(point)),
+            Self::Planet { arm, base, centre, .. } if link == arm => Some(Lead::Image(base, centre)),
             Self::Yoke { pin, .. }
             | Self::Rpp { point: pin, .. }
             | Self::Prp { pin, .. }
@@ -551,6 +644,12 @@ impl GroupKind {
                 Some(Lead::Riding(mechanism.contacts[roll]))
             }
             Self::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(Lead::Riding(pin)),
+            Self::Driven { pin, holds, riders } => (0..2).find_map(|i| match holds[i] {
+                Hold::Rod { rod, base } => (rod == link).then_some(Lead::Image(base, pin)),
+                Hold::Ram(Ram { lever, base, .. }) if lever == link => Some(Lead::Turning(base)),
+                Hold::Ram(_) => (riders[i] == Some(link)).then_some(Lead::Turning(pin)),
+                _ => (riders[i] == Some(link)).then_some(Lead::Riding(pin)),
+            }),
             Self::DrivenBar { pins, holds, riders, .. } => (0..2).find_map(|i| match holds[i] {
                 Hold::Rod { rod, base } => (rod == link).then_some(Lead::Image(base, pins[i])),
                 _ => (riders[i] == Some(link)).then_some(Lead::Riding(pins[i])),
@@ -591,7 +690,7 @@ impl GroupKind {
                 let riders = riders.into_iter().zip(slides);
                 riders.filter_map(|(link, slide)| link.map(|link| (link, carrier(slide, link)))).collect()
             }
-            Self::DrivenBar { holds, riders, .. } => {
+            Self::DrivenBar { holds, riders, .. } | Self::Driven { holds, riders, .. } => {
                 let riders = riders.into_iter().zip(holds);
                 riders.filter_map(|(link, hold)| Some((link?, carrier(hold.slide()?, link?)))).collect()
             }

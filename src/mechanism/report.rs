@@ -338,6 +338,7 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
             contour(mechanism, group)
         }
         GroupKind::DrivenBar { .. } => (1, 2),
+        GroupKind::Driven { .. } => contour(mechanism, group),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }
         | GroupKind::Rrp { .. }
@@ -348,6 +349,7 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::Wheel { .. }
         | GroupKind::Rack { .. }
         | GroupKind::Rolling { .. }
+        | GroupKind::Planet { .. }
         | GroupKind::RidingCentre { .. }
         | GroupKind::PinnedRack { .. } => (2, 2),
     };

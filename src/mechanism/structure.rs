@@ -10,7 +10,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-pub use super::group::{GroupKind, Hold, Lead, Target, Unknown};
+pub use super::group::{GroupKind, Hold, Lead, Ram, Target, Unknown};
 use super::{Guide, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
 
 /// A pair or an input, as a constraint between two links.
@@ -838,6 +838,22 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     {
         return GroupKind::RidingCentre { link, ride, wheel, centre, roll };
     }
+    if let (&[first, second], &[(arm, base)], [_, _], &[centre]) =
+        (rolls.as_slice(), outer.as_slice(), rods.as_slice(), points)
+        && held.is_empty()
+        && slides.is_empty()
+        && turned.is_empty()
+        && moved.is_empty()
+    {
+        let rolls = [first, second];
+        let wheel = rods.iter().copied().find(|&rod| rod != arm);
+        return match wheel.filter(|&wheel| {
+            rolls.iter().all(|&roll| rolls_about(&mechanism.rolls[roll], (wheel, centre), base))
+        }) {
+            Some(wheel) => GroupKind::Planet { arm, base, wheel, centre, rolls },
+            None => GroupKind::Other,
+        };
+    }
     if let (&[roll], &[link]) = (rolls.as_slice(), rods.as_slice()) {
         if !moved.is_empty() {
             return GroupKind::Other;
@@ -876,6 +892,11 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     }
     if !rolls.is_empty() || !held.is_empty() {
         return GroupKind::Other;
+    }
+    if let (true, Some(driven)) =
+        (turned.is_empty(), driven_pin(mechanism, &rods, points, (&slides, &moved), &outer))
+    {
+        return driven;
     }
     if let (&[(link, input @ Drive::Input(_))], [], false) =
         (turned.as_slice(), moved.as_slice(), outer.is_empty())
@@ -1011,6 +1032,64 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     }
 }
 
+/// A pin that is driven along a lever about a solved pin, or along two of them, and held besides.
+fn driven_pin(
+    mechanism: &Mechanism,
+    rods: &[LinkId],
+    points: &[PointId],
+    (slides, moved): (&[usize], &[(usize, Drive)]),
+    outer: &[(LinkId, PointId)],
+) -> Option<GroupKind> {
+    let &[pin] = points else { return None };
+    let has_pin = |link: LinkId| mechanism.point(pin).links.contains(&link);
+    let base_of =
+        |link: LinkId| match outer.iter().filter(|(of, _)| *of == link).collect::<Vec<_>>().as_slice() {
+            &[&(_, base)] => Some(base),
+            _ => None,
+        };
+    // Each with the link that has the pin and slides.
+    let by_slide = |&slide: &usize| {
+        let Slide { rider, guide } = mechanism.slides[slide];
+        let drive = moved.iter().find(|(driven, _)| *driven == slide);
+        let ram =
+            |lever: LinkId, input: usize| Some(Hold::Ram(Ram { lever, base: base_of(lever)?, slide, input }));
+        match (rider, drive) {
+            (Rider::Pin { point, .. }, None) => {
+                (point == pin && !rods.contains(&guide.link)).then_some((Hold::Slide(slide), None))
+            }
+            (Rider::Link { .. }, None) => glider(mechanism, rods, slide)
+                .filter(|&rider| has_pin(rider))
+                .map(|rider| (Hold::Slide(slide), Some(rider))),
+            (_, Some(_)) if !is_straight(guide) || !rods.contains(&guide.link) => None,
+            (Rider::Pin { point, .. }, Some(&(_, Drive::Input(input)))) if point == pin => {
+                Some((ram(guide.link, input)?, None))
+            }
+            (Rider::Link { link, .. }, Some(&(_, Drive::Input(input)))) if rods.contains(&link) => {
+                let (lever, partner) = if has_pin(link) { (guide.link, link) } else { (link, guide.link) };
+                (has_pin(partner) && !has_pin(lever)).then_some((ram(lever, input)?, Some(partner)))
+            }
+            _ => None,
+        }
+    };
+    let found: Vec<(Hold, Option<LinkId>)> = slides.iter().filter_map(by_slide).collect();
+    let levers = || found.iter().filter_map(|(hold, _)| hold.ram().map(|ram| ram.lever));
+    let arms = outer.iter().filter(|&&(rod, _)| levers().all(|lever| lever != rod));
+    let arms = arms.map(|&(rod, base)| (Hold::Rod { rod, base }, None));
+    let mut holds: Vec<(Hold, Option<LinkId>)> = found.iter().copied().chain(arms).collect();
+    holds.sort_by_key(|(hold, _)| hold.ram().is_none());
+    let &[(first, with), (second, other)] = holds.as_slice() else { return None };
+    let all: BTreeSet<LinkId> = levers()
+        .chain([first, second].iter().filter_map(|hold| hold.rod().map(|(rod, _)| rod)))
+        .chain(with)
+        .chain(other)
+        .collect();
+    let whole = found.len() == slides.len() && first.ram().is_some() && all.len() == rods.len();
+    let arms_have = [first, second].iter().all(|hold| hold.rod().is_none_or(|(rod, _)| has_pin(rod)));
+    let each = outer.len() == [first, second].iter().filter(|hold| hold.slide().is_none()).count();
+    (whole && arms_have && each && moved.iter().all(|(slide, _)| slides.contains(slide)))
+        .then_some(GroupKind::Driven { pin, holds: [first, second], riders: [with, other] })
+}
+
 /// The wheel and the centre of a rolling pair that a link carries, where it carries one of them only.
 fn carried_centre(mechanism: &Mechanism, link: LinkId, roll: usize) -> Option<(LinkId, PointId)> {
     let sides: Vec<(LinkId, PointId)> = match mechanism.rolls[roll] {
@@ -1102,6 +1181,7 @@ fn driven_bar(
             _ => carried_centre(mechanism, link, roll)
                 .map(|(wheel, centre)| (Hold::Contact { roll, wheel }, centre, None, false)),
         },
+        Hold::Ram(_) => None,
         Hold::Rod { rod, .. } => {
             let shared = |p: &PointId| mechanism.point(*p).links.contains(&rod) && on_bar(*p);
             points.iter().copied().find(shared).map(|pin| (hold, pin, None, false))
@@ -1194,6 +1274,16 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
             (0..2).any(|side| links[side] == wheel && centres[side] == centre)
         }
         Roll::Line { wheel: own, centre: its, .. } => *own == wheel && *its == centre,
+    }
+}
+
+/// Whether a wheel about its centre rolls on a circle about another point.
+fn rolls_about(roll: &Roll, wheel: (LinkId, PointId), about: PointId) -> bool {
+    match *roll {
+        Roll::Circles { links, centres, .. } => {
+            (0..2).any(|side| (links[side], centres[side]) == wheel && centres[1 - side] == about)
+        }
+        Roll::Line { .. } => false,
     }
 }
 

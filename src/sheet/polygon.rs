@@ -14,9 +14,11 @@ use super::labels::{Others, Request, Site, place_among};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
-use crate::graphical::construction::{ConstructionLine, Diagram, Image, Label, Step, Vector, VectorKind};
+use crate::graphical::construction::{
+    Claim, ConstructionLine, Diagram, Image, Label, Reference, Step, Vector, VectorKind,
+};
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::DiagramKind;
+use crate::mechanism::quantity::{DiagramKind, Quantity};
 
 /// Images closer than this on paper are one dot and share a label.
 const COINCIDENT: f64 = 0.05;
@@ -585,6 +587,17 @@ pub fn seen_from(vector: &Vector, polygon: &Diagram) -> Option<PointId> {
         (Label::Image { point, .. }, _) | (Label::Foot { .. }, Some(Label::Image { point, .. })) => {
             Some(point)
         }
+        // What a lever's turning gives begins where it ends how the pin is driven: its line tells about which point it turns.
+        (Label::Foot { .. }, None) => match (vector.quantity, vector.claim) {
+            (
+                Quantity::CoincidentVelocity(..) | Quantity::CoincidentTangential(..),
+                Some(Claim::Perpendicular(Reference::Points(base, _))),
+            ) => {
+                let is_base = |label: Label| matches!(label, Label::Image { point, .. } if point == base);
+                polygon.images.iter().any(|image| is_base(image.label)).then_some(base)
+            }
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -516,7 +516,15 @@ impl Teller<'_> {
     /// A term as it is written: the vector of a point of a link that moves with the link by those of its base and against
     /// this, where the step calculates them. What a hand lays off are these.
     fn written(&self, term: &Term) -> Vec<Written> {
-        let whole = || vec![Written { term: *term, from: None }];
+        // What a lever's turning gives where a pin is driven along it is told against the lever's base.
+        let turned = self.polygon().and_then(|polygon| {
+            let gives = |v: &&Vector| {
+                v.quantity == term.quantity
+                    && matches!((v.quantity, v.tail), (Quantity::CoincidentVelocity(..), Label::Foot { .. }))
+            };
+            seen_from(polygon.vectors.iter().find(gives)?, polygon)
+        });
+        let whole = || vec![Written { term: *term, from: turned }];
         let (order, parts) = match term.quantity {
             Quantity::CoincidentVelocity(p, l) => (Order::Velocity, vec![Quantity::CoincidentVelocity(p, l)]),
             Quantity::CoincidentAcceleration(p, l) => (
@@ -645,6 +653,34 @@ impl Teller<'_> {
         })
     }
 
+    /// How a position is found by trial.
+    fn try_position(&self, driver: TrialDriver, closing: &Closing) -> Option<Rich> {
+        let n = self.notation;
+        let words = n.words;
+        let link = match driver {
+            TrialDriver::Turn(link) => ("link", Rich::upright(n.number(link))),
+            TrialDriver::Slide(slide) => {
+                let pin = self.rider(slide)?;
+                return Some(Rich::fill(words.try_position_slide, &[("pin", n.point(pin))]));
+            }
+        };
+        Some(match closing {
+            Closing::Rod { near, far, .. } => Rich::fill(
+                words.try_position_rod,
+                &[link, ("near", n.point(*near)), ("length", n.length(*far, *near))],
+            ),
+            Closing::Slide { pin, .. } => {
+                Rich::fill(words.try_position_guide, &[link, ("near", n.point(*pin))])
+            }
+            Closing::Angle { link: driven, .. } => {
+                Rich::fill(words.try_position_angle, &[link, ("driven", Rich::upright(n.number(*driven)))])
+            }
+            Closing::Driven { .. } | Closing::Contact { .. } => Rich::fill(words.try_position_turn, &[link]),
+            // Rolling says nothing of the position.
+            Closing::Roll { .. } => return None,
+        })
+    }
+
     /// The sentence of an act; none where it refers to what is not there.
     fn act(&self, act: &Act) -> Option<Rich> {
         let n = self.notation;
@@ -669,31 +705,9 @@ impl Teller<'_> {
                     &[("points", n.list(&points)), ("scale", n.length_scale(per_mm))],
                 )
             }
-            Act::TryPosition { driver, closing } => {
-                let TrialDriver::Turn(link) = *driver else {
-                    let TrialDriver::Slide(slide) = *driver else { return None };
-                    let pin = self.rider(slide)?;
-                    return Some(Rich::fill(words.try_position_slide, &[("pin", n.point(pin))]));
-                };
-                let link = ("link", Rich::upright(n.number(link)));
-                match closing {
-                    Closing::Rod { near, far, .. } => Rich::fill(
-                        words.try_position_rod,
-                        &[link, ("near", n.point(*near)), ("length", n.length(*far, *near))],
-                    ),
-                    Closing::Slide { pin, .. } => {
-                        Rich::fill(words.try_position_guide, &[link, ("near", n.point(*pin))])
-                    }
-                    Closing::Angle { link: driven, .. } => Rich::fill(
-                        words.try_position_angle,
-                        &[link, ("driven", Rich::upright(n.number(*driven)))],
-                    ),
-                    Closing::Driven { .. } | Closing::Contact { .. } => {
-                        Rich::fill(words.try_position_turn, &[link])
-                    }
-                    // Rolling says nothing of the position.
-                    Closing::Roll { .. } => return None,
-                }
+            Act::TryPosition { driver, closing, of_no_dyad } => {
+                let told = self.try_position(*driver, closing)?;
+                if *of_no_dyad { Rich::upright(words.no_dyad_alone).up(" ").then(&told) } else { told }
             }
             Act::TryPolygon { driver, closing, order, rates } => {
                 let [first, second] = rates.map(|rate| self.trial_value(*driver, *order, rate));

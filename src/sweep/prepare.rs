@@ -141,7 +141,9 @@ fn rolled<'m>(
     structure: &'m Structure,
 ) -> impl Iterator<Item = (LinkId, PointId)> + 'm {
     structure.groups.iter().filter_map(|group| match group.kind {
-        GroupKind::Wheel { wheel, centre, .. } | GroupKind::Rolling { wheel, centre, .. } => {
+        GroupKind::Wheel { wheel, centre, .. }
+        | GroupKind::Planet { wheel, centre, .. }
+        | GroupKind::Rolling { wheel, centre, .. } => {
             let guides = mechanism.slides.iter().any(|s| s.guide.link == wheel);
             let more = guides || mechanism.link(wheel).points.len() > 1;
             more.then_some((wheel, centre))

@@ -85,6 +85,10 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
                 let contact = d.contact_at(roll);
                 (Side::Touches { roll, wheel: d.rolling_side(roll, link, wheel), contact }, contact.push)
             }
+            Hold::Ram(_) => {
+                balance.refused = Some("this version has no balance of forces for this group");
+                return;
+            }
             Hold::Rod { rod, base } => {
                 let items = balance.on(rod);
                 let at_base = d.touch_at(balance, base, rod);

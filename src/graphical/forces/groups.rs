@@ -2,7 +2,7 @@
 
 use crate::board::{Amount, Direction, Line, Point};
 use crate::mechanism::force::Party;
-use crate::mechanism::structure::{Drive, Group, GroupKind, Joint};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, Joint, Ram};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
@@ -20,8 +20,13 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
     match group.kind {
         GroupKind::Driver { base, input } => driver(d, group, base, input, balance),
         GroupKind::DrivenSlide { slide, input } => driven_slide(d, slide, input, balance),
-        GroupKind::Rrr { links, bases, pin } => rrr(d, links, bases, pin, balance),
-        GroupKind::Rrp { rod, base, pin, slide, rider } => rrp(d, (rod, base), pin, (slide, rider), balance),
+        GroupKind::Rrr { links, bases, pin } => {
+            rrr(d, [0, 1].map(|i| Leg::of_link(links[i], bases[i])), pin, balance);
+        }
+        GroupKind::Rrp { rod, base, pin, slide, rider } => {
+            rrp(d, Leg::of_link(rod, base), pin, (slide, rider), balance);
+        }
+        GroupKind::Driven { pin, holds, riders } => driven_pin(d, pin, holds, riders, balance),
         GroupKind::Rpr { lever, base, pin, slide, rod } => rpr(d, (lever, base), pin, (slide, rod), balance),
         GroupKind::Prp { pin, slides, riders } => prp(d, pin, slides, riders, balance),
         GroupKind::Rpp { link, point, lever, base, ride, slot } => {
@@ -32,6 +37,9 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             driven::driven_bar(d, &driven::Bar { link, pins, holds, under }, input, balance);
         }
         GroupKind::Wheel { wheel, centre, roll } => rolling::wheel(d, (wheel, centre), roll, balance),
+        GroupKind::Planet { arm, base, wheel, centre, rolls } => {
+            rolling::planet(d, (arm, base), (wheel, centre), rolls, balance);
+        }
         GroupKind::Rack { link, ride, roll } => rolling::rack(d, (link, ride), roll, balance),
         GroupKind::DrivenWheel { wheel, centre, roll, guide, input } => {
             rolling::driven_wheel(d, (wheel, centre), (roll, guide), input, balance);
@@ -228,8 +236,112 @@ fn driver(d: &mut Draughtsman<'_>, group: &Group, base: PointId, input: Drive, b
     d.note_pin(balance, base, link, reaction);
 }
 
+/// A link about a pin of a solved one that has the pin of its group, or a driven lever with what slides along it, which is
+/// one body for all that acts from without.
+#[derive(Debug, Clone, Copy)]
+struct Leg {
+    link: LinkId,
+    base: PointId,
+    /// How it is driven, and the link between it and the pin.
+    ram: Option<(Ram, Option<LinkId>)>,
+}
+
+impl Leg {
+    const fn of_link(link: LinkId, base: PointId) -> Self {
+        Self { link, base, ram: None }
+    }
+
+    /// Its bodies: the link about the base first, that which has the pin last.
+    fn bodies(self) -> Vec<LinkId> {
+        [Some(self.link), self.ram.and_then(|(_, partner)| partner)].into_iter().flatten().collect()
+    }
+
+    /// The body that has the pin; the lever where the pin itself is driven along it.
+    fn head(self) -> LinkId {
+        self.ram.and_then(|(_, partner)| partner).unwrap_or(self.link)
+    }
+
+    /// What is known to act on it.
+    fn items(self, balance: &Balance) -> Vec<Item> {
+        self.bodies().into_iter().flat_map(|body| balance.on(body)).collect()
+    }
+
+    /// Notes for the reader the moments of one body, by the force of the other leg. Of a lever with what is driven along it
+    /// they are no moments of one body, and what drives a bare pin is no force of its pair.
+    fn tells_moments(self, other: Self, taken: Taken, balance: &mut Balance) {
+        let bare = matches!(other.ram, Some((_, None)));
+        if self.ram.is_none() && !bare {
+            balance.taken.push(taken);
+        }
+    }
+
+    /// Notes its force at its base, when what acts on it at the pin of its group is known; of a driven lever the effort and
+    /// the force of its sliding pair as well.
+    fn balanced(self, d: &mut Draughtsman<'_>, balance: &mut Balance, pin: PointId, at_pin: Pull) {
+        let mut all = pulls(&self.items(balance));
+        all.push(at_pin);
+        let reaction = d.closing(&all);
+        if let Some((ram, partner)) = self.ram {
+            let (input, lever) = (Drive::Input(ram.input), ram.lever);
+            let mut items = balance.on_some(partner);
+            let mut at = d.touch_at(balance, pin, self.head());
+            let mut force = at_pin;
+            if ram.slides(d.mechanism) {
+                items = balance.on(lever);
+                (at, force) = (d.touch_at(balance, self.base, lever), reaction);
+            }
+            items.push(Item { pull: Some(force), at, couple: None });
+            slide_apart(d, ram.slide, input, &items, balance);
+        }
+        d.note_pin(balance, self.base, self.link, reaction);
+    }
+}
+
+/// A driven lever and what else holds its pin.
+fn driven_pin(
+    d: &mut Draughtsman<'_>,
+    pin: PointId,
+    holds: [Hold; 2],
+    riders: [Option<LinkId>; 2],
+    balance: &mut Balance,
+) {
+    let leg = |d: &Draughtsman<'_>, hold: Hold, rider: Option<LinkId>| match hold {
+        Hold::Rod { rod, base } => Some(Leg::of_link(rod, base)),
+        Hold::Ram(ram) => {
+            let partner = rider.or(match d.mechanism.party_of(&d.mechanism.slides[ram.slide].rider) {
+                Party::Link(block) if block != ram.lever => Some(block),
+                _ => None,
+            });
+            Some(Leg { link: ram.lever, base: ram.base, ram: Some((ram, partner)) })
+        }
+        Hold::Slide(_) | Hold::Contact { .. } => None,
+    };
+    let legs = [0, 1].map(|i| leg(d, holds[i], riders[i]));
+    match (legs, holds[1]) {
+        ([Some(first), Some(second)], _) => rrr(d, [first, second], pin, balance),
+        ([Some(first), None], Hold::Slide(slide)) => rrp(d, first, pin, (slide, riders[1]), balance),
+        _ => balance.refused = Some("this version has no balance of forces for this group"),
+    }
+}
+
 /// The polygon of what rides, with the line of the guide and the line square to it.
 fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &mut Balance) {
+    let Some(pin) = d.riding_pin(slide) else {
+        balance.refused = Some("a sliding link has no joint");
+        return;
+    };
+    let items = match d.mechanism.party_of(&d.mechanism.slides[slide].rider) {
+        Party::Link(link) => balance.on(link),
+        Party::Pin(_) => match d.holder(pin) {
+            super::Holder::Link(link) => balance.on(link),
+            super::Holder::Pin => balance.on_pin(pin),
+        },
+    };
+    slide_apart(d, slide, input, &items, balance);
+}
+
+/// The effort and the force of a driven slide, of what else acts on the rider.
+fn slide_apart(d: &mut Draughtsman<'_>, slide: usize, input: Drive, items: &[Item], balance: &mut Balance) {
     let pair = d.mechanism.slides[slide];
     let sliding = Sliding {
         inner: match d.mechanism.party_of(&pair.rider) {
@@ -243,17 +355,10 @@ fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &m
         balance.refused = Some("a sliding link has no joint");
         return;
     };
-    let items = match sliding.inner {
-        Some(link) => balance.on(link),
-        None => match d.holder(pin) {
-            super::Holder::Link(link) => balance.on(link),
-            super::Holder::Pin => balance.on_pin(pin),
-        },
-    };
     let at = d.at(pin);
     let (along, normal) = d.pressing_at(balance, slide, at);
-    let [across, drive] = d.two_lines(&pulls(&items), [normal, along], &[pair.guide.link]);
-    let couple = if sliding.inner.is_some() { d.keeping(&items, at) } else { None };
+    let [across, drive] = d.two_lines(&pulls(items), [normal, along], &[pair.guide.link]);
+    let couple = if sliding.inner.is_some() { d.keeping(items, at) } else { None };
     let [dx, dy] = d.board.between(drive.tail, drive.head);
     let scale = d.force_scale();
     let (x, y) = (d.board.read(dx, scale), d.board.read(dy, scale));
@@ -269,17 +374,17 @@ fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &m
 
 /// Components at the inner pin; the links with nothing on them first, so that the line of their force is that of
 /// their pins.
-fn rrr(
-    d: &mut Draughtsman<'_>,
-    links: [LinkId; 2],
-    bases: [PointId; 2],
-    pin: PointId,
-    balance: &mut Balance,
-) {
-    let items = links.map(|link| balance.on(link));
+fn rrr(d: &mut Draughtsman<'_>, legs: [Leg; 2], pin: PointId, balance: &mut Balance) {
+    let mut items = legs.map(|leg| leg.items(balance));
+    // A pin that no leg holds is taken with the first of them.
+    if d.holder(pin) == super::Holder::Pin {
+        items[0].extend(balance.on_pin(pin));
+    }
     let order = if items[1].is_empty() || !items[0].is_empty() { [0, 1] } else { [1, 0] };
-    let [(a, base_a, on_a), (b, base_b, on_b)] = order.map(|i| (links[i], bases[i], items[i].clone()));
-    let (at_a, at_b) = (d.touch_at(balance, base_a, a), d.touch_at(balance, base_b, b));
+    let [(leg_a, on_a), (leg_b, on_b)] = order.map(|i| (legs[i], items[i].clone()));
+    let (base_a, base_b) = (leg_a.base, leg_b.base);
+    let (at_a, at_b) = (d.touch_at(balance, base_a, leg_a.link), d.touch_at(balance, base_b, leg_b.link));
+    let (a, b) = (leg_a.head(), leg_b.head());
     let at = d.inner_touch(balance, pin, [a, b]);
     let reason = d.reason(&[a, b]);
     let (along, _) = d.board.toward(at_b, at, reason);
@@ -293,12 +398,16 @@ fn rrr(
             let tangential = moments.map(|moments| {
                 let line = Line { through: at, along: across };
                 let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
-                balance.taken.push(Taken { links: vec![b], about: About::Point(base_b), found });
+                leg_b.tells_moments(
+                    leg_a,
+                    Taken { links: vec![b], about: About::Point(base_b), found },
+                    balance,
+                );
                 d.balancing(Some(moments), line, at_b, &[b])
             });
             let whole = tangential.is_none();
             let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
-            balance.taken.push(Taken { links: vec![a], about: About::Point(base_a), found });
+            leg_a.tells_moments(leg_b, Taken { links: vec![a], about: About::Point(base_a), found }, balance);
             // Moments of the other one about its base give the part along the first.
             let mut turning = d.moments(&on_a, at_a);
             if let Some(size) = tangential {
@@ -322,26 +431,26 @@ fn rrr(
     let on_b_at_pin = d.pin_force_as_used(pin, b, on_b_at_pin);
     let on_a_at_pin = Draughtsman::opposite(on_b_at_pin);
     d.note_inner_pin(balance, pin, [(a, on_a_at_pin), (b, on_b_at_pin)]);
-    for (link, base, items, at_pin) in [(b, base_b, on_b, on_b_at_pin), (a, base_a, on_a, on_a_at_pin)] {
-        let mut all = pulls(&items);
-        all.push(at_pin);
-        let reaction = d.closing(&all);
-        d.note_pin(balance, base, link, reaction);
-    }
+    leg_b.balanced(d, balance, pin, on_b_at_pin);
+    leg_a.balanced(d, balance, pin, on_a_at_pin);
 }
 
 /// A rod and what slides: moments of both about the rod's pin give the force of the guide.
 fn rrp(
     d: &mut Draughtsman<'_>,
-    (rod, base): (LinkId, PointId),
+    leg: Leg,
     pin: PointId,
     (slide, rider): (usize, Option<LinkId>),
     balance: &mut Balance,
 ) {
     let sliding = d.sliding(slide, rider);
-    let on_rod = balance.on(rod);
+    let (rod, base) = (leg.head(), leg.base);
+    let mut on_rod = leg.items(balance);
+    if sliding.inner.is_none() && d.holder(pin) == super::Holder::Pin {
+        on_rod.extend(balance.on_pin(pin));
+    }
     let on_rider = balance.on_some(sliding.inner);
-    let (at_base, at) = (d.touch_at(balance, base, rod), d.at(pin));
+    let (at_base, at) = (d.touch_at(balance, base, leg.link), d.at(pin));
     // Where the rod acts on what slides.
     let touch = sliding.inner.map_or(at, |rider| d.inner_touch(balance, pin, [rod, rider]));
     let (_, normal) = d.pressing_at(balance, slide, at);
@@ -373,7 +482,8 @@ fn rrp(
         }
         let size = d.balancing(moments, line, at_base, &[rod]);
         let links = [rod].into_iter().chain(sliding.inner).collect();
-        balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
+        let taken = Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) };
+        leg.tells_moments(leg, taken, balance);
         d.pull_along(normal, size)
     };
     let of_guide = d.slide_force_as_used(slide, sliding.inner, of_guide);
@@ -389,20 +499,19 @@ fn rrp(
     };
     let on_inner = SlideForce { pull: of_guide, at, couple };
     d.note_slide(balance, slide, &sliding, pin, on_inner);
-    let mut on_rod_forces = pulls(&on_rod);
-    if let Some(rider) = sliding.inner {
-        let mut all = pulls(&on_rider);
-        all.push(of_guide);
-        let on_rider_at_pin = d.closing(&all);
-        let on_rod_at_pin = Draughtsman::opposite(on_rider_at_pin);
-        let on_rod_at_pin = d.pin_force_as_used(pin, rod, on_rod_at_pin);
-        d.note_inner_pin(balance, pin, [(rod, on_rod_at_pin), (rider, on_rider_at_pin)]);
-        on_rod_forces.push(on_rod_at_pin);
-    } else {
-        on_rod_forces.push(of_guide);
-    }
-    let reaction = d.closing(&on_rod_forces);
-    d.note_pin(balance, base, rod, reaction);
+    let at_pin = match sliding.inner {
+        Some(rider) => {
+            let mut all = pulls(&on_rider);
+            all.push(of_guide);
+            let on_rider_at_pin = d.closing(&all);
+            let on_rod_at_pin = Draughtsman::opposite(on_rider_at_pin);
+            let on_rod_at_pin = d.pin_force_as_used(pin, rod, on_rod_at_pin);
+            d.note_inner_pin(balance, pin, [(rod, on_rod_at_pin), (rider, on_rider_at_pin)]);
+            on_rod_at_pin
+        }
+        None => of_guide,
+    };
+    leg.balanced(d, balance, pin, at_pin);
 }
 
 /// A lever and what slides in it: moments of the lever about its pin give the force square to the slot.
