@@ -9,7 +9,6 @@ use super::centres::{self, is_needed, taking_in, window_over};
 use super::compose::{Draft, Filled, free_paper, room_of_question};
 use super::figure::{Figure, Node};
 use super::overlap::clip;
-use super::slots::GenevaDrive;
 use super::transfer;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{
@@ -722,8 +721,8 @@ pub fn outgrown(
     first.or_else(|| next(Dimension::Length, [wide * 1.01, 0.0]).filter(|_| too_many))
 }
 
-/// Width and height of a skeleton with its pitch circles and Geneva wheels: those about placed centres have room in it,
-/// those about moving ones may reach a little beyond it, for there is nothing to read at a rim.
+/// Width and height of a skeleton with its pitch circles: those about placed centres have room in it, those about moving
+/// ones may reach a little beyond it, for there is nothing to read at a rim.
 fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64; 2] {
     const BEYOND: f64 = 1.25;
     let place = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|x| x.value));
@@ -735,13 +734,6 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64;
         };
         wheels.extend(circles.into_iter().filter_map(|(centre, radius)| Some((place(centre)?, radius))));
     }
-    let genevas = (0..mechanism.slides.len()).filter_map(|slide| GenevaDrive::of(mechanism, slide));
-    let wheel = |own: GenevaDrive| {
-        let [centre, shaft] = [place(own.centre)?, place(own.shaft)?];
-        let [x, y] = [0, 1].map(|axis| centre[axis] - shaft[axis]);
-        Some((centre, libm::hypot(x, y)))
-    };
-    wheels.extend(genevas.filter_map(wheel));
     let grown = |axis: usize, size: f64| {
         let least = wheels.iter().map(|(at, r)| at[axis] - r).fold(f64::INFINITY, f64::min);
         let most = wheels.iter().map(|(at, r)| at[axis] + r).fold(f64::NEG_INFINITY, f64::max);

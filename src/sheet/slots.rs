@@ -7,7 +7,7 @@ use super::ink::{FINE, THICK, THIN, dot, turned_rect};
 use super::labels::Site;
 use super::pose::GuideLine;
 use super::skeleton::{Artist, BARE, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
-use crate::mechanism::{GuidePoint, LinkId, Mechanism, Path, PointId, Rider, Slide};
+use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
 /// Half length and half width of a sleeve in which a rod slides.
 const SLEEVE: (f64, f64) = (5.2, 2.2);
@@ -43,36 +43,6 @@ impl Slot {
                 Shape::Arc { centre, radius, start: from, sweep: to - from }
             }
         }
-    }
-}
-
-/// What may be a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct GenevaDrive {
-    /// The pivot of the wheel.
-    pub(super) centre: PointId,
-    /// That of the crank.
-    pub(super) shaft: PointId,
-    /// The pin of the crank.
-    pin: PointId,
-}
-
-impl GenevaDrive {
-    /// The drive of a sliding pair by its index.
-    pub(super) fn of(mechanism: &Mechanism, index: usize) -> Option<Self> {
-        let slide = mechanism.slides.get(index)?;
-        let Rider::Pin { point: pin, block: None } = slide.rider else { return None };
-        let Path::Straight { through: GuidePoint::Point(centre), offset, .. } = slide.guide.path else {
-            return None;
-        };
-        let only_pivot = mechanism.link(slide.guide.link).points[..] == [centre];
-        if !only_pivot || !mechanism.is_fixed(centre) || offset.value != 0.0 {
-            return None;
-        }
-        let carries = |link: &LinkId| mechanism.link(*link).points.contains(&pin);
-        let crank = mechanism.moving().find(carries)?;
-        let shaft = mechanism.link(crank).points.iter().copied().find(|p| mechanism.is_fixed(*p))?;
-        Some(Self { centre, shaft, pin })
     }
 }
 
@@ -349,10 +319,23 @@ impl Artist<'_> {
         own
     }
 
-    /// The wheel of a Geneva drive, whose crank is as long as `n` slots at even angles ask for.
+    /// The wheel of a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs,
+    /// the crank as long as `n` slots at even angles ask for.
     fn geneva(&self, index: usize) -> Option<Geneva> {
-        let GenevaDrive { centre, shaft, pin } = GenevaDrive::of(self.notation.mechanism(), index)?;
-        let [centre, shaft, pin] = [centre, shaft, pin].map(|p| self.pose.place(p));
+        let mechanism = self.notation.mechanism();
+        let slide = mechanism.slides.get(index)?;
+        let Rider::Pin { point: pin, block: None } = slide.rider else { return None };
+        let Path::Straight { through: GuidePoint::Point(pivot), offset, .. } = slide.guide.path else {
+            return None;
+        };
+        let only_pivot = mechanism.link(slide.guide.link).points[..] == [pivot];
+        if !only_pivot || !mechanism.is_fixed(pivot) || offset.value != 0.0 {
+            return None;
+        }
+        let carries = |link: &LinkId| mechanism.link(*link).points.contains(&pin);
+        let crank = mechanism.moving().find(carries)?;
+        let shaft = mechanism.link(crank).points.iter().copied().find(|p| mechanism.is_fixed(*p))?;
+        let [centre, shaft, pin] = [pivot, shaft, pin].map(|p| self.pose.place(p));
         let (centre, shaft, pin) = (centre?, shaft?, pin?);
         let (base, crank) = (centre.distance(shaft), shaft.distance(pin));
         let ratio = crank / base;
