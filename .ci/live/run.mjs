@@ -586,8 +586,9 @@ test('at its own position the page says what the sheet says', async () => {
     const rounded = (value) => {
       const [, number, unit] = /^\(?([\d.]+)(.*)$/.exec(value) || [];
       if (Number(number) === 0) return sheet.some((text) => /=0\.?$/.test(text));
-      const figures = (number || '').replace('.', '').replace(/^0+/, '').length;
-      return figures > 0 && sheet.some((text) => text.includes(unit) && [...text.matchAll(/\d+(?:\.\d+)?/g)].some(([own]) => Number(Number(own).toPrecision(figures)) === Number(number)));
+      // With a figure more it may lie half way between two of so many.
+      const half = 0.5 * (1 + 1e-9) * 10 ** -((number || '').split('.')[1] || '').length;
+      return Number(number) !== 0 && sheet.some((text) => text.includes(unit) && [...text.matchAll(/\d+(?:\.\d+)?/g)].some(([own]) => Math.abs(Number(own) - Number(number)) <= half));
     };
     for (const value of rows) assert.ok(sheet.includes(value) || sheet.includes(`+${value}`) || rounded(value), `${name}: ${value} stands nowhere on the sheet`);
     compared += rows.length;
@@ -756,7 +757,7 @@ test('paths and diagrams are those of what they name, and zero is straight', asy
   assert.ok(traces.length === 2 && Math.abs(traces[0] - traces[1]) > 10, traces.join());
   // The coupler translates: its rate is zero in every position, not the rounding of zero.
   const [curve, label] = await page.evaluate(() => {
-    const box = document.getElementById('diagram'), own = [...box.options].find((option) => option.textContent.includes('3') && !option.textContent.includes('V'));
+    const box = document.getElementById('diagram'), own = [...box.options].find((option) => option.textContent.includes('\u2083'));
     box.value = own.value;
     box.dispatchEvent(new Event('change'));
     return [document.querySelector('.diagram .curve').getAttribute('d'), own.textContent];

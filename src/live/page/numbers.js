@@ -56,6 +56,12 @@ function numberParts(/** @type {number} */ value, more = 0) {
   return figures(value, (size >= 1000 ? 4 : 3) + more, false);
 }
 
+/** Whether a number lies half way between two of so many figures. */
+function isHalfWay(/** @type {number} */ value, /** @type {number} */ digits) {
+  const half = 0.5 * 10 ** (Math.floor(Math.log10(Math.abs(value))) - digits + 1);
+  return Math.abs(Math.abs(value - Number(scientific(value, digits - 1))) - half) <= 1e-6 * half;
+}
+
 /** Whether so short a vector is a point on paper. @param {number} mm */
 function isPoint(mm) {
   return Math.round(10 * mm) < 10;
@@ -68,8 +74,10 @@ function readOff(mm, factor, result, wished) {
   const usual = result >= 1000 ? 4 : 3, more = Math.min(wished, 4 - usual), last = usual + more - 1;
   const written = Number(scientific(result, last)), half = 0.5 * 10 ** (Math.floor(Math.log10(written)) - last) * (1 + 1e-9);
   for (let decimals = 1; ; decimals++) {
-    const text = fixed(mm, decimals), amount = Number(text) * factor, agrees = Math.abs(amount - written) <= half;
-    if (agrees || decimals === (mm < 100 ? 2 : 1)) return [text, withPower(agrees ? result : amount, more)];
+    const text = fixed(mm, decimals), amount = Number((Number(text) * factor).toPrecision(12)), agrees = Math.abs(amount - written) <= half;
+    if (!agrees && decimals < (mm < 100 ? 2 : 1)) continue;
+    const isHalf = isHalfWay(amount, last + 1);
+    return [text, isHalf ? raised(figures(amount, last + 2, false)) : withPower(agrees ? result : amount, more)];
   }
 }
 

@@ -55,7 +55,7 @@ function told(/** @type {any} */ { kind, outputs: own, si, unit }, /** @type {Pa
   const { course, outputs, words } = page;
   if (own.length === 0 || own.some((/** @type {number} */ i) => outputs[i] === null)) return { value: '—', sense: reasonOf(own, course, words) };
   const clear = (/** @type {number} */ i) => clearNumber(course, outputs, own[i]);
-  // Rounded once, as in the table of the sheet.
+  // Rounded once: the sheet's table tells what was read on its own paper.
   const amount = (/** @type {number} */ value) => withPower(value / si);
   const said = (/** @type {string} */ text, sense = '') => ({ value: withUnit(text, unit), sense });
   switch (kind) {
