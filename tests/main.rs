@@ -5,6 +5,7 @@
 
 mod classroom;
 mod common;
+mod derived_forces;
 mod sheets;
 
 mod arithmetics;

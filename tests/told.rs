@@ -62,7 +62,7 @@ pub(crate) const DRIVEN_ROD: &str = r#"{"units": {"length": "cm"}, "fixed": {"O2
     "v(C)", "F(1,4)", "x(B)", "angle(3)", "F(1,2)", "omega(3)"]}"#;
 
 /// A four-bar clamp with a torque that is sought on its crank.
-const CLAMP: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [120, 0]}, "links": {"2": {"joins": ["O2",
+pub(crate) const CLAMP: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [120, 0]}, "links": {"2": {"joins": ["O2",
     "A"], "length": 60}, "3": {"joins": ["A", "B", "H"], "line": [0, 80, 260]}, "4": {"joins": ["O4", "B"],
     "length": 70}}, "near": {"B": [95, 62]}, "input": {"link": 2, "angle": 75, "omega": "1 rad/s cw"},
     "loads": [{"on": 3, "at": "H", "force": "150 N", "direction": -90, "name": "P"}, {"on": 2,

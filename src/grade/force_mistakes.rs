@@ -235,7 +235,14 @@ impl List<'_, '_> {
         for body in &sheet.bodies {
             let Party::Link(link) = body.of else { continue };
             let balance = sheet.moments.iter().find(|balance| balance.links.contains(&link));
-            all.extend(body.acting.iter().map(|acting| Standing { link, acting, balance }));
+            // What acts on links that are cut free together stands on the one that has it alone.
+            let elsewhere = |acting: &&Acting| {
+                let others =
+                    sheet.bodies.iter().filter(|other| body.with.iter().any(|l| other.of == Party::Link(*l)));
+                others.flat_map(|other| &other.acting).any(|other| other.action == acting.action)
+            };
+            let own = body.acting.iter().filter(|acting| !elsewhere(acting));
+            all.extend(own.map(|acting| Standing { link, acting, balance }));
         }
         all
     }

@@ -84,6 +84,8 @@ pub struct ForceSheet {
     pub arms: Vec<MomentBalance>,
     /// Where three forces on a body meet.
     pub meets: Vec<MeetOfThree>,
+    /// Several links on which two forces act together.
+    pub members: Vec<Member>,
     /// Everything that acts on the mechanism from outside; empty where not all of it was needed.
     pub whole: Vec<Acting>,
     /// The inertia forces, whose sum shakes the frame; empty where not all were needed.
@@ -231,12 +233,51 @@ pub struct Trials {
 pub struct FreeBody {
     /// The link or the pin.
     pub of: Party,
+    /// Links that are cut free with it, as if they were one.
+    pub with: Vec<LinkId>,
     /// The forces on it: first what is known, as they are laid off.
     pub acting: Vec<Acting>,
     /// Torques on it, ccw positive, N m.
     pub torques: Vec<(Force, f64)>,
     /// It is balanced together with the next one: their polygons follow both.
     pub with_next: bool,
+    /// Its polygon gives what the polygons of those that are balanced together with it need: it is laid off first.
+    pub gives: bool,
+}
+
+impl FreeBody {
+    /// The links that are cut free; none of a pin.
+    #[must_use]
+    pub fn links(&self) -> Vec<LinkId> {
+        match self.of {
+            Party::Link(link) => std::iter::once(link).chain(self.with.iter().copied()).collect(),
+            Party::Pin(_) => Vec::new(),
+        }
+    }
+
+    /// Whether a link belongs to it.
+    #[must_use]
+    pub fn has(&self, link: LinkId) -> bool {
+        self.of == Party::Link(link) || self.with.contains(&link)
+    }
+
+    /// Whether it is one of these links, or all of them as if they were one.
+    #[must_use]
+    pub fn is_of(&self, links: &[LinkId]) -> bool {
+        let own = self.links();
+        own.len() == links.len() && own.iter().all(|link| links.contains(link))
+    }
+}
+
+/// Several links that have two forces together, from without: these are one and the same line, through both ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// The links.
+    pub links: Vec<LinkId>,
+    /// The points at which the forces act.
+    pub ends: [PointId; 2],
+    /// The body at which it is told, by its place in the order of solution.
+    pub told: usize,
 }
 
 /// Moments of one body, or of some as if they were one, about a point.

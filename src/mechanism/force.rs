@@ -421,6 +421,29 @@ impl Mechanism {
         (links.contains(&guide) && self.parties_at(pin).len() == 2).then_some((input, guide))
     }
 
+    /// In how many slots of a link a pin rides without a block.
+    #[must_use]
+    pub fn slots_at(&self, pin: PointId, link: LinkId) -> usize {
+        let own = self.slides.iter().filter(|slide| self.party_of(&slide.rider) == Party::Pin(pin));
+        own.filter(|slide| slide.guide.link == link).count()
+    }
+
+    /// The links between which a driven slide is driven: those that ride, and the one that carries the guide. None of
+    /// another input.
+    #[must_use]
+    pub fn driven_between(&self, input: usize) -> Vec<LinkId> {
+        let Some(Input::Slide { slide, .. }) = self.inputs.get(input) else { return Vec::new() };
+        let pair = &self.slides[*slide];
+        let mut links = match self.party_of(&pair.rider) {
+            Party::Link(rider) => vec![rider],
+            Party::Pin(pin) => self.parties_at(pin),
+        };
+        if !links.contains(&pair.guide.link) {
+            links.push(pair.guide.link);
+        }
+        links
+    }
+
     /// The link or the pin that rides in a sliding pair.
     #[must_use]
     pub fn party_of(&self, rider: &Rider) -> Party {

@@ -76,8 +76,11 @@ impl ForcePanel {
         let mut waiting = Vec::new();
         for (index, body) in sheet.bodies.iter().enumerate() {
             all.extend(friction::before(index, sheet).map(Self::Friction));
-            let together =
-                sheet.moments.iter().enumerate().filter(|(_, m)| m.told == index && m.links.len() > 1);
+            let together = sheet
+                .moments
+                .iter()
+                .enumerate()
+                .filter(|(_, m)| m.told == index && m.links.len() > 1 && !body.is_of(&m.links));
             all.push(Self::Body(index));
             all.extend(together.map(|(moments, _)| Self::Together(moments)));
             // Two forces are one line there and back.
@@ -190,18 +193,26 @@ impl ForcePanel {
             Self::Loads => Some(loads(sheet, construction, notation)),
             Self::Body(index) => {
                 let body = sheet.bodies.get(index)?;
-                let alone =
-                    |m: &&MomentBalance| matches!(m.links[..], [link] if body.of == Party::Link(link));
+                let alone = |m: &&MomentBalance| !m.links.is_empty() && body.is_of(&m.links);
                 let moments: Vec<&MomentBalance> = sheet.moments.iter().filter(alone).collect();
-                let free =
-                    Free { of: &[body.of], acting: &body.acting, torques: &body.torques, moments: &moments };
+                let of: Vec<Party> =
+                    std::iter::once(body.of).chain(body.with.iter().map(|link| Party::Link(*link))).collect();
+                let free = Free { of: &of, acting: &body.acting, torques: &body.torques, moments: &moments };
                 Some(free.draw(sheet, construction, notation))
             }
             Self::Together(index) => {
                 let moments = sheet.moments.get(index)?;
                 let parties: Vec<Party> = moments.links.iter().map(|link| Party::Link(*link)).collect();
+                // Of links that are cut free together once with the others, and not on their own.
+                let joined = |body: &FreeBody| {
+                    body.with.is_empty()
+                        && sheet
+                            .bodies
+                            .iter()
+                            .any(|other| body.links().iter().any(|l| other.with.contains(l)))
+                };
                 let bodies: Vec<&FreeBody> =
-                    sheet.bodies.iter().filter(|body| parties.contains(&body.of)).collect();
+                    sheet.bodies.iter().filter(|body| parties.contains(&body.of) && !joined(body)).collect();
                 let inner = |acting: &Acting| {
                     let (pins, links) = acting.action.about();
                     match acting.action {
@@ -212,6 +223,10 @@ impl ForcePanel {
                             let parties = notation.mechanism().parties_at(*pin);
                             parties.iter().all(|link| moments.links.contains(link))
                         }),
+                        Action::Drive(input) | Action::DriveBack(input) => {
+                            let between = notation.mechanism().driven_between(input);
+                            between.iter().all(|link| moments.links.contains(link))
+                        }
                         _ => false,
                     }
                 };
@@ -268,7 +283,10 @@ fn extent(places: &[[f64; 2]]) -> f64 {
 #[must_use]
 pub fn pole(body: &FreeBody, notation: &Notation<'_>) -> Rich {
     let of = match body.of {
-        Party::Link(link) => notation.number(link),
+        Party::Link(_) => {
+            let numbers: Vec<String> = body.links().iter().map(|link| notation.number(*link)).collect();
+            numbers.join(",")
+        }
         Party::Pin(pin) => notation.index(pin),
     };
     Rich::italic("o").sub(&format!("{of}f"))
@@ -473,11 +491,15 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
 
 /// The torques that are given, with their links.
 fn given_torques(sheet: &ForceSheet) -> Vec<(LinkId, Force, f64)> {
-    let mut all = Vec::new();
+    let mut all: Vec<(LinkId, Force, f64)> = Vec::new();
     for body in &sheet.bodies {
         let Party::Link(link) = body.of else { continue };
-        let given = body.torques.iter().filter(|(torque, _)| matches!(torque, Force::LoadTorque(_)));
-        all.extend(given.map(|(torque, value)| (link, *torque, *value)));
+        for (torque, value) in &body.torques {
+            let told = all.iter().any(|(_, other, _)| other == torque);
+            if matches!(torque, Force::LoadTorque(_)) && !told {
+                all.push((link, *torque, *value));
+            }
+        }
     }
     all
 }

@@ -13,7 +13,7 @@ use super::rich::Rich;
 use crate::graphical::construction::{About, Construction, ForceSheet, FreeBody, Touch};
 use crate::mechanism::LinkId;
 use crate::mechanism::Mechanism;
-use crate::mechanism::force::{Action, Party, Through};
+use crate::mechanism::force::{Action, Through};
 use crate::mechanism::friction::{RubbedBy, RubbingPair};
 
 /// Radius of an enlarged friction circle, mm: so much at most, for a round scale.
@@ -222,7 +222,7 @@ pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Ite
 /// The first body on which the force of a pair that rubs acts.
 fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
     let touch = sheet.rubs.get(index)?;
-    let acts = |body: &FreeBody| matches!(body.of, Party::Link(link) if touch.between.contains(&link));
+    let acts = |body: &FreeBody| touch.between.iter().any(|link| body.has(*link));
     let of_body = sheet.bodies.iter().position(acts);
     // Moments may be taken about where it touches before its body is in balance.
     let contact = |about: About| {

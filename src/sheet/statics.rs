@@ -658,9 +658,38 @@ impl Teller<'_> {
 
     fn body_name(&self, body: &FreeBody) -> Rich {
         match body.of {
-            Party::Link(link) => self.n.links(&[link]),
+            Party::Link(_) => self.n.links(&body.links()),
             Party::Pin(pin) => self.n.point(pin),
         }
+    }
+
+    /// That several links have two forces together, whose line is that of their ends; and that what is asked there is zero.
+    fn members(&self, index: usize) -> Vec<Rich> {
+        let words = self.n.words;
+        let mut lines = Vec::new();
+        for member in self.sheet.members.iter().filter(|member| member.told == index) {
+            let [a, b] = member.ends;
+            let parts = [("links", self.n.links(&member.links)), ("line", self.n.length(a, b))];
+            lines.push(Rich::fill(words.two_forces, &parts));
+            let zero = |asked: &&Asked| {
+                matches!(asked.quantity, Quantity::Force(Force::Vector(action @ Action::Pair { by, on }), share)
+                if share == self.share && match member.links.len() {
+                    1 => member.links.contains(&by) != member.links.contains(&on) && !self.acts(action),
+                    _ => member.links.contains(&by) && member.links.contains(&on) && !self.acts(action),
+                })
+            };
+            for asked in self.n.mechanism().asked.iter().filter(zero) {
+                let vector = self.n.symbol(asked.quantity, false);
+                lines.push(Rich::fill(words.force_is_zero, &[("vector", vector)]));
+            }
+        }
+        lines
+    }
+
+    /// Whether a force, or its reaction, is on a body.
+    fn acts(&self, action: Action) -> bool {
+        let all = self.sheet.bodies.iter().flat_map(|body| &body.acting);
+        all.into_iter().any(|acting| either(acting.action) == either(action))
     }
 
     /// What rubs at a pair before its force is drawn: the angle of friction, the circle, the sense, and the line.
@@ -781,6 +810,7 @@ impl Teller<'_> {
                 }
             }
         }
+        items.extend(self.members(index).into_iter().map(Item::Sentence));
         let drags = super::friction::drags_before(index, self.sheet);
         items.extend(drags.map(|rub| Item::Sentence(super::friction::sentence(rub, self.sheet, self.n))));
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
@@ -840,13 +870,7 @@ impl Teller<'_> {
             return parts;
         }
         // The polygon of a link on legs gives what closes theirs; so does that of a driven link on rods.
-        let on_legs = |moments: &MomentBalance| {
-            let drives = before > 0
-                && (index - before..=index).contains(&moments.told)
-                && matches!(moments.found.of, Turning::Torque(_));
-            drives || moments.told == index && matches!(moments.about, About::Meet { .. })
-        };
-        let first = self.sheet.moments.iter().any(on_legs).then_some(index);
+        let first = body.gives.then_some(index);
         let last = first.map_or(index + 1, |first| first);
         for k in first.into_iter().chain(index - before..last) {
             let own = ForcePanel::Polygon(k);
@@ -873,7 +897,7 @@ impl Teller<'_> {
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
-        let driver = |input: usize| matches!(body.of, Party::Link(link) if self.n.mechanism().driven_link(input) == Some(link));
+        let driver = |input: usize| self.n.mechanism().driven_link(input).is_some_and(|link| body.has(link));
         if let Some(trial) = &self.sheet.trial
             && driver(0)
         {
@@ -1032,8 +1056,22 @@ impl Teller<'_> {
             figures.alias(of, is);
             human::with_unit(&number, &unit.symbol)
         };
-        let equal = self.symbol(found.action).up("\u{a0}= −\u{2009}").then(&self.symbol(known.action));
+        // What drives is told by its own name on either side.
+        let drive = |acting: &Acting| match acting.action {
+            Action::DriveBack(input) => Some(self.symbol(Action::Drive(input))),
+            _ => None,
+        };
+        let equal = match (drive(found), drive(known)) {
+            (Some(drive), _) => drive.up(EQUALS).then(&self.symbol(known.action)),
+            (None, Some(drive)) => self.symbol(found.action).up(EQUALS).then(&drive),
+            (None, None) => {
+                self.symbol(found.action).up("\u{a0}= −\u{2009}").then(&self.symbol(known.action))
+            }
+        };
         let [x, y] = found.force;
+        if found.force == [0.0; 2] {
+            return Some(equal.up(EQUALS).up("0."));
+        }
         let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)));
         Some(equal.up(self.n.words.semicolon).then(&size).up(self.n.words.comma).then(&angle).up("."))
     }

@@ -86,7 +86,7 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
                 (Side::Touches { roll, wheel: d.rolling_side(roll, link, wheel), contact }, contact.push)
             }
             Hold::Ram(_) => {
-                balance.refused = Some("this version has no balance of forces for this group");
+                balance.refused = Some(super::groups::NO_BALANCE);
                 return;
             }
             Hold::Rod { rod, base } => {
@@ -111,6 +111,14 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
     }
     let lines = [sides[0].1, sides[1].1];
     let forces = d.two_lines(&all, lines, &[link]);
+    let handed_on = sides.iter().filter_map(|(side, _)| match side {
+        Side::Rides { sliding, items, .. } if !items.is_empty() => sliding.inner,
+        _ => None,
+    });
+    let together: Vec<LinkId> = std::iter::once(link).chain(handed_on).collect();
+    if together.len() > 1 {
+        balance.as_one.push(together);
+    }
     let mut items = on_bar;
     for (i, (side, _)) in sides.into_iter().enumerate() {
         let (at, force, pin) = (d.at(pins[i]), forces[i], pins[i]);

@@ -7,7 +7,11 @@ use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
 use super::super::pose::Track;
-use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, higher, pulls, rolling};
+use super::moments::NO_ARM;
+use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, higher, pulls, rolling, triad};
+
+/// Nobody has written how.
+pub(super) const NO_BALANCE: &str = "this version has no balance of forces for this group";
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
 pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
@@ -37,8 +41,10 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             driven::driven_bar(d, &driven::Bar { link, pins, holds, under }, input, balance);
         }
         GroupKind::Wheel { wheel, centre, roll } => rolling::wheel(d, (wheel, centre), roll, balance),
-        GroupKind::Planet { arm, base, wheel, centre, rolls } => {
-            rolling::planet(d, (arm, base), (wheel, centre), rolls, balance);
+        GroupKind::Planet { .. } => {
+            if !triad::on_legs(d, group, balance) {
+                balance.refused = Some(NO_BALANCE);
+            }
         }
         GroupKind::Rack { link, ride, roll } => rolling::rack(d, (link, ride), roll, balance),
         GroupKind::DrivenWheel { wheel, centre, roll, guide, input } => {
@@ -55,7 +61,7 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             rolling::riding_centre(d, (link, ride), (wheel, centre), roll, balance);
         }
         GroupKind::Higher { trial } => higher::higher(d, group, trial, balance),
-        GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
+        GroupKind::Other => balance.refused = Some(NO_BALANCE),
     }
     balance.balanced.extend(group.links.iter().copied());
     d.board.purpose(before);
@@ -266,12 +272,15 @@ impl Leg {
         self.bodies().into_iter().flat_map(|body| balance.on(body)).collect()
     }
 
-    /// Notes for the reader the moments of one body, by the force of the other leg. Of a lever with what is driven along it
-    /// they are no moments of one body, and what drives a bare pin is no force of its pair.
-    fn tells_moments(self, other: Self, taken: Taken, balance: &mut Balance) {
-        let bare = matches!(other.ram, Some((_, None)));
-        if self.ram.is_none() && !bare {
-            balance.taken.push(taken);
+    /// How it is driven, where the pin of its group itself is driven along it.
+    fn bare(self) -> Option<Ram> {
+        self.ram.filter(|(_, partner)| partner.is_none()).map(|(ram, _)| ram)
+    }
+
+    /// Notes that a driven lever on which nothing acts has two forces together with what is driven along it.
+    fn note_member(self, pin: PointId, balance: &mut Balance) {
+        if self.ram.is_some() && self.items(balance).is_empty() {
+            balance.members.push((self.bodies(), [self.base, pin]));
         }
     }
 
@@ -320,7 +329,7 @@ fn driven_pin(
     match (legs, holds[1]) {
         ([Some(first), Some(second)], _) => rrr(d, [first, second], pin, balance),
         ([Some(first), None], Hold::Slide(slide)) => rrp(d, first, pin, (slide, riders[1]), balance),
-        _ => balance.refused = Some("this version has no balance of forces for this group"),
+        _ => balance.refused = Some(NO_BALANCE),
     }
 }
 
@@ -397,17 +406,9 @@ fn rrr(d: &mut Draughtsman<'_>, legs: [Leg; 2], pin: PointId, balance: &mut Bala
             let moments = d.moments(&on_b, at_b);
             let tangential = moments.map(|moments| {
                 let line = Line { through: at, along: across };
-                let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
-                leg_b.tells_moments(
-                    leg_a,
-                    Taken { links: vec![b], about: About::Point(base_b), found },
-                    balance,
-                );
                 d.balancing(Some(moments), line, at_b, &[b])
             });
-            let whole = tangential.is_none();
-            let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
-            leg_a.tells_moments(leg_b, Taken { links: vec![a], about: About::Point(base_a), found }, balance);
+            note_moments(d, [leg_a, leg_b], tangential.is_none(), pin, balance);
             // Moments of the other one about its base give the part along the first.
             let mut turning = d.moments(&on_a, at_a);
             if let Some(size) = tangential {
@@ -433,6 +434,51 @@ fn rrr(d: &mut Draughtsman<'_>, legs: [Leg; 2], pin: PointId, balance: &mut Bala
     d.note_inner_pin(balance, pin, [(a, on_a_at_pin), (b, on_b_at_pin)]);
     leg_b.balanced(d, balance, pin, on_b_at_pin);
     leg_a.balanced(d, balance, pin, on_a_at_pin);
+}
+
+/// Notes for the reader the moments of two legs about their bases: of the second one for the part of its force across it, of
+/// the first one for the part along the second.
+fn note_moments(
+    d: &mut Draughtsman<'_>,
+    [leg_a, leg_b]: [Leg; 2],
+    whole: bool,
+    pin: PointId,
+    balance: &mut Balance,
+) {
+    for leg in [leg_a, leg_b] {
+        leg.note_member(pin, balance);
+    }
+    let taken = |leg: Leg, found| Taken { links: leg.bodies(), about: About::Point(leg.base), found };
+    let (first, second) = match (leg_a.bare(), leg_b.bare()) {
+        (None, None) => {
+            let (a, b) = (leg_a.head(), leg_b.head());
+            let across = TakenFor::Across { pin, by: a, on: b, from: leg_b.base };
+            let along = TakenFor::Along { pin, by: b, on: a, from: leg_b.base, whole };
+            ((!whole).then(|| taken(leg_b, across)), Some(taken(leg_a, along)))
+        }
+        (Some(_), Some(_)) => return,
+        (Some(ram), None) | (None, Some(ram)) => {
+            // What drives a bare pin is no force of its pair: moments of the lever give what presses on its guide, those of
+            // the other leg then what drives.
+            let (lever, other) = if leg_a.bare().is_some() { (leg_a, leg_b) } else { (leg_b, leg_a) };
+            if !d.guide_passes(ram.slide, ram.base) {
+                // Both turn the lever: its moments give a part of what the pin passes on in all.
+                balance.whole_pins.push((pin, lever.link));
+                let (a, b) = (leg_a.head(), leg_b.head());
+                let across = TakenFor::Across { pin, by: a, on: b, from: leg_b.base };
+                let along = TakenFor::Along { pin, by: b, on: a, from: leg_b.base, whole };
+                balance.taken.extend((!whole).then(|| taken(leg_b, across)));
+                balance.taken.push(taken(leg_a, along));
+                return;
+            }
+            let loaded = |leg: Leg, balance: &Balance| !leg.items(balance).is_empty();
+            (
+                loaded(lever, balance).then(|| taken(lever, TakenFor::Slot(ram.slide))),
+                loaded(other, balance).then(|| taken(other, TakenFor::Driven(ram.input))),
+            )
+        }
+    };
+    balance.taken.extend(first.into_iter().chain(second));
 }
 
 /// A rod and what slides: moments of both about the rod's pin give the force of the guide.
@@ -463,6 +509,7 @@ fn rrp(
         true => None,
         false => d.by_three_forces(balance, rod, (&on_rod, &on_rider), line, at_base),
     };
+    leg.note_member(pin, balance);
     let of_guide = if let Some(of_guide) = three {
         of_guide
     } else if polygon && !d.asks_components(rod) {
@@ -481,9 +528,8 @@ fn rrp(
             moments = d.both(moments, Some(of_rider));
         }
         let size = d.balancing(moments, line, at_base, &[rod]);
-        let links = [rod].into_iter().chain(sliding.inner).collect();
-        let taken = Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) };
-        leg.tells_moments(leg, taken, balance);
+        let links = leg.bodies().into_iter().chain(sliding.inner).collect();
+        balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
     };
     let of_guide = d.slide_force_as_used(slide, sliding.inner, of_guide);
@@ -605,6 +651,9 @@ fn prp(
     });
     let forces = d.two_lines(&all, normals, &guides);
     let one_body = sides[0].inner == sides[1].inner && sides[0].inner.is_some();
+    if bodies.len() > 1 && !all.is_empty() {
+        balance.as_one.push(bodies.clone());
+    }
     for i in 0..2 {
         let items = balance.on_some(sides[i].inner);
         let couple = match sides[i].inner {
@@ -732,6 +781,13 @@ fn yoke(
 }
 
 impl Draughtsman<'_> {
+    /// Whether a guide passes through a point, as it is drawn.
+    fn guide_passes(&mut self, slide: usize, point: PointId) -> bool {
+        let at = self.at(point);
+        let Track::Straight(line) = self.track(slide, None) else { return false };
+        self.arm_of(line, at).value().abs() < NO_ARM * self.length_scale().si_per_mm
+    }
+
     /// The pin that rides in a sliding pair, or the first joint of the link that does.
     pub(super) fn riding_pin(&self, slide: usize) -> Option<PointId> {
         match self.mechanism.slides[slide].rider {

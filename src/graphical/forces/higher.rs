@@ -19,12 +19,8 @@ const KNOWN_TURNING: &str =
 
 /// The balance of a group of higher class.
 pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balance: &mut Balance) {
-    if let Some(legs) = d.triad(group) {
-        let before = balance.clone();
-        if super::triad::triad(d, &legs, balance) {
-            return;
-        }
-        *balance = before;
+    if super::triad::on_legs(d, group, balance) {
+        return;
     }
     let toothed = |joint: &Joint| matches!(joint, Joint::Roll(roll) if d.leans_by_teeth(*roll));
     if super::friction::rubs(d) && group.joints.iter().any(toothed) {
@@ -86,7 +82,7 @@ pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balan
             let one = proportion(d, all, a, reason);
             Ok(if swap { vec![two, one] } else { vec![one, two] })
         })(),
-        _ => Err("this version has no balance of forces for this group"),
+        _ => Err(super::groups::NO_BALANCE),
     };
     match sizes {
         Ok(sizes) => {

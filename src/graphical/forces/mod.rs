@@ -12,6 +12,7 @@ mod groups;
 mod higher;
 mod loads;
 mod moments;
+mod order;
 mod read;
 mod record;
 mod rolling;
@@ -105,6 +106,13 @@ pub(super) struct Balance {
     pub(super) meets: Vec<ThreeForces>,
     /// Why the route that was asked for a group does not exist, by its index.
     no_route: BTreeMap<usize, &'static str>,
+    /// Links whose polygon is one, as if they were one body; each of them but the first is balanced on its own after it.
+    pub(super) as_one: Vec<Vec<LinkId>>,
+    /// Links that have two forces together, and the points at which these act.
+    pub(super) members: Vec<(Vec<LinkId>, [PointId; 2])>,
+    /// Pins of two links that are driven along a guide of one, of which moments give what they pass on in all, with that
+    /// link.
+    pub(super) whole_pins: Vec<(PointId, LinkId)>,
     /// Moments that gave a size, in the order in which they were taken.
     pub(super) taken: Vec<Taken>,
     /// What could not be drawn, and why.
@@ -150,6 +158,8 @@ pub(super) enum About {
 pub(super) enum TakenFor {
     /// The torque at an input.
     Effort(usize),
+    /// The force at a driven slide, by index of the input.
+    Driven(usize),
     /// Of the force of one link on another at a pin the part across the line from a point.
     Across { pin: PointId, by: LinkId, on: LinkId, from: PointId },
     /// The part along it, which may be the whole.

@@ -11,7 +11,7 @@ use super::super::draughtsman::Draughtsman;
 use super::{About, Holder, Taken, TakenFor};
 
 /// An arm shorter than this on paper is none: the line passes through the point, mm.
-const NO_ARM: f64 = 0.02;
+pub(super) const NO_ARM: f64 = 0.02;
 
 /// Whether two actions are one force, or a force and its reaction.
 pub(super) fn same_pair(one: Action, other: Action) -> bool {
@@ -31,21 +31,29 @@ const CLOSED: f64 = 1e-5;
 
 impl Draughtsman<'_> {
     /// The force with which one link acts on another through a pin, as the one that does not hold the pin feels it.
-    fn force_at_pin(&self, pin: PointId, by: LinkId, on: LinkId) -> Action {
+    pub(super) fn force_at_pin(&self, pin: PointId, by: LinkId, on: LinkId) -> Action {
+        if let Some(carrier) = self.carrier_of_whole(pin) {
+            return if carrier == on { Action::OnPin(by, pin) } else { Action::OfPin(pin, on) };
+        }
         if self.mechanism.parties_at(pin).len() < 3 {
             return Action::Pair { by, on };
         }
         if self.holder(pin) == Holder::Link(on) { Action::OnPin(by, pin) } else { Action::OfPin(pin, on) }
     }
 
+    /// The link that carries the guide of a driven pin of which moments give what it passes on in all.
+    pub(super) fn carrier_of_whole(&self, pin: PointId) -> Option<LinkId> {
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == self.told)?;
+        balance.whole_pins.iter().find(|(of, _)| *of == pin).map(|(_, carrier)| *carrier)
+    }
+
     /// What acts on a body, that on the pin which it holds told apart.
     fn acting_on(&mut self, body: &FreeBody) -> Vec<Action> {
-        let Party::Link(link) = body.of else { return Vec::new() };
         let mut all = Vec::new();
         for action in body.acting.iter().map(|acting| acting.action) {
             match action {
-                Action::OfPin(pin, _) if self.holder(pin) == Holder::Link(link) => {
-                    let others = self.mechanism.parties_at(pin).into_iter().filter(|other| *other != link);
+                Action::OfPin(pin, link) if self.holder(pin) == Holder::Link(link) => {
+                    let others = self.mechanism.parties_at(pin).into_iter().filter(|other| !body.has(*other));
                     all.extend(others.map(|other| Action::OnPin(other, pin)));
                 }
                 other => all.push(other),
@@ -115,11 +123,11 @@ impl Draughtsman<'_> {
         taken.iter().filter_map(|taken| self.moment_balance(taken, bodies)).collect()
     }
 
-    fn moment_balance(&mut self, taken: &Taken, bodies: &[FreeBody]) -> Option<MomentBalance> {
-        let place = |link: LinkId| bodies.iter().position(|body| body.of == Party::Link(link));
+    pub(super) fn moment_balance(&mut self, taken: &Taken, bodies: &[FreeBody]) -> Option<MomentBalance> {
+        let place = |link: LinkId| bodies.iter().position(|body| body.has(link));
         // A member of two forces gives only a line: the moments that give its force are told with it.
         let lends = match taken.found {
-            TakenFor::Along { by, whole: true, .. } => Some(by),
+            TakenFor::Along { by, whole: true, .. } if self.has_two_forces(by) => Some(by),
             _ => None,
         };
         let told = taken.links.iter().copied().chain(lends).filter_map(place).min()?;
@@ -143,17 +151,29 @@ impl Draughtsman<'_> {
                 let effort = self.effort(Sought::Effort(input));
                 found = effort.map(|effort| torque(Force::Torque(input), effort));
             }
+            TakenFor::Driven(input) => {
+                let action = Action::Drive(input);
+                without.push(action);
+                let at = self.at(self.mechanism.driven_point(input)?);
+                found = self.moment_term(action, about, Some(at));
+            }
             TakenFor::Across { pin, by, on, from } | TakenFor::Along { pin, by, on, from, .. } => {
                 let action = self.force_at_pin(pin, by, on);
                 without.push(action);
                 let items = self.items_of(action, self.told).ok()?;
                 let whole = self.sum_of(&items);
                 let at = self.inner_touch(&balance, pin, [by, on]);
-                let base = self.touch_at(&balance, from, if taken.links.contains(&by) { on } else { by });
-                let base = match taken.found {
-                    TakenFor::Across { .. } => self.touch_at(&balance, from, first),
-                    _ => base,
+                let other = if taken.links.contains(&by) { on } else { by };
+                let based = match taken.found {
+                    TakenFor::Across { .. } => first,
+                    // Of a driven lever it is the lever that turns about the base.
+                    _ => {
+                        let members =
+                            balance.members.iter().map(|(links, _)| links).find(|l| l.contains(&other));
+                        members.and_then(|links| links.first().copied()).unwrap_or(other)
+                    }
                 };
+                let base = self.touch_at(&balance, from, based);
                 let reason = self.reason(&[by, on]);
                 let (along, _) = self.board.toward(base, at, reason);
                 let line = Line { through: whole.tail, along };
@@ -206,8 +226,11 @@ impl Draughtsman<'_> {
                 let pair = self.mechanism.slides[slide];
                 let pin = self.riding_pin(slide)?;
                 let guide = pair.guide.link;
+                // Of a driven lever with what is driven along it that body that has the pin.
+                let parties = self.mechanism.parties_at(pin);
+                let head = taken.links.iter().copied().find(|link| parties.contains(link)).unwrap_or(first);
                 let at = match self.mechanism.party_of(&pair.rider) {
-                    Party::Link(rider) if rubs => self.inner_touch(&balance, pin, [first, rider]),
+                    Party::Link(rider) if rubs => self.inner_touch(&balance, pin, [head, rider]),
                     _ => self.at(pin),
                 };
                 let on_guide = matches!(taken.found, TakenFor::Slot(_)) && taken.links.contains(&guide);
@@ -215,7 +238,7 @@ impl Draughtsman<'_> {
                     Party::Link(link) if on_guide => Action::Pair { by: link, on: guide },
                     Party::Link(link) => Action::Pair { by: guide, on: link },
                     Party::Pin(pin) if on_guide => self.force_on_slot(pin, guide),
-                    Party::Pin(pin) => self.force_of_guide(pin, guide, taken.links.first().copied()?),
+                    Party::Pin(pin) => self.force_of_guide(pin, guide, head),
                 };
                 without.push(action);
                 found = self.moment_term(action, about, Some(at));
@@ -241,12 +264,27 @@ impl Draughtsman<'_> {
             TakenFor::Effort(_) if found.is_none() => Some(self.sought_on(first)?),
             _ => None,
         };
-        for body in bodies.iter().filter(|body| matches!(body.of, Party::Link(l) if taken.links.contains(&l)))
-        {
+        // Of links that are cut free together nothing that acts between them counts, and nothing twice.
+        let together = |link: LinkId| bodies.iter().any(|body| body.with.contains(&link));
+        let own = |body: &&FreeBody| body.links().iter().all(|link| taken.links.contains(link));
+        for body in bodies.iter().filter(own) {
             let Party::Link(link) = body.of else { continue };
+            if together(link) && body.with.is_empty() {
+                continue;
+            }
             let moved = riders.iter().find(|(block, _)| *block == link).map(|(_, at)| *at);
-            for action in self.acting_on(body) {
-                let within = |other: LinkId| other != link && taken.links.contains(&other);
+            let mut acting = self.acting_on(body);
+            if let TakenFor::Driven(input) = taken.found
+                && let Some(pin) = self.mechanism.driven_point(input)
+                && let Some(place) = acting.iter().position(|action| *action == Action::OfPin(pin, link))
+            {
+                // What all others exert on the driven pin, but what drives it.
+                acting.remove(place);
+                let others = self.mechanism.parties_at(pin).into_iter().filter(|other| !body.has(*other));
+                acting.extend(others.map(|other| Action::OnPin(other, pin)));
+            }
+            for action in acting {
+                let within = |other: LinkId| !body.has(other) && taken.links.contains(&other);
                 let inner = match action {
                     Action::Pair { by, .. } => within(by),
                     Action::Rolling { roll, on } => within(self.mechanism.bodies_rolling(roll, on)[0]),
@@ -255,9 +293,21 @@ impl Draughtsman<'_> {
                         .links
                         .iter()
                         .any(|other| within(*other) && self.mechanism.parties_at(pin).contains(other)),
+                    Action::Drive(input) | Action::DriveBack(input) => {
+                        self.mechanism.driven_between(input).iter().all(|link| taken.links.contains(link))
+                    }
                     _ => false,
                 };
-                if inner || without.iter().any(|other| same_pair(*other, action)) {
+                // What a driven pin passes on in all stands for the force of its guide and what drives it.
+                let told_whole = match action {
+                    Action::OfPin(pin, _) | Action::OnPin(_, pin) => self.carrier_of_whole(pin).is_some(),
+                    Action::Drive(input) | Action::DriveBack(input) => self
+                        .mechanism
+                        .driven_point(input)
+                        .is_some_and(|pin| self.carrier_of_whole(pin).is_some()),
+                    _ => false,
+                };
+                if inner || told_whole || without.iter().any(|other| same_pair(*other, action)) {
                     continue;
                 }
                 if point.is_some_and(|point| self.passes(action, point)) {
@@ -281,6 +331,17 @@ impl Draughtsman<'_> {
             if moved.is_none() {
                 let given = body.torques.iter().filter(|(force, _)| !matches!(force, Force::Torque(_)));
                 terms.extend(given.map(|(force, value)| torque(*force, *value)));
+            }
+        }
+        // On the link that carries the guide acts what all the others pass on at the pin.
+        if let TakenFor::Across { pin, by, .. } | TakenFor::Along { pin, by, .. } = taken.found
+            && let Some(carrier) = self.carrier_of_whole(pin).filter(|carrier| taken.links.contains(carrier))
+        {
+            let at = self.at(pin);
+            let others =
+                self.mechanism.parties_at(pin).into_iter().filter(|other| ![by, carrier].contains(other));
+            for other in others {
+                terms.extend(self.moment_term(Action::OnPin(other, pin), about, Some(at)));
             }
         }
         terms.retain(|term| term.moment != 0.0);

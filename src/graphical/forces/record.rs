@@ -6,12 +6,13 @@ use crate::mechanism::force::{
 use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::spin::SpinSpeed;
-use crate::mechanism::{Input, LinkId, PointId, Slide};
+use crate::mechanism::structure::Closing;
+use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
 use super::super::construction::{
-    Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, MomentBalance, SpringTwist, Touch,
-    Turning,
+    Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, Member, MomentBalance, SpringTwist,
+    Touch, Turning,
 };
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
@@ -44,6 +45,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     let (_, balance) = d.balances.iter().find(|(of, _)| *of == share)?;
     let three = balance.meets.clone();
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
+    let (as_one, members) = (balance.as_one.clone(), balance.members.clone());
     let (trial, trials, mut group_trials) =
         (balance.trial, balance.trials.clone(), balance.group_trials.clone());
     // Of a governor that is not told by its sleeve and its arm no moments are told.
@@ -51,45 +53,65 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     let taken: Vec<Taken> = balance.taken.iter().filter(told).cloned().collect();
     let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
-    let mut found = Found { known: Vec::new(), by_moments: Vec::new() };
+    let mut found = Found { members: members.clone(), ..Found::default() };
     for &group in plan.forces.groups.iter().rev() {
-        let links = d.structure.groups[group].links.clone();
+        let mut links = d.structure.groups[group].links.clone();
+        let joined: Vec<Vec<LinkId>> =
+            as_one.iter().filter(|all| all.iter().all(|link| links.contains(link))).cloned().collect();
+        // What is handed on to another body is balanced after it, on its own.
+        let after: Vec<LinkId> = joined.iter().flat_map(|all| all[1..].iter().copied()).collect();
+        links.retain(|link| !after.contains(link));
         let own: Vec<&Taken> =
             taken.iter().filter(|taken| taken.links.iter().any(|link| links.contains(link))).collect();
         let tried = group_trials.iter().find(|trial| trial.links.iter().any(|link| links.contains(link)));
         let chunks = match tried {
             // One after the other, once what is left open is found.
-            Some(trial) => trial.links.iter().map(|link| vec![*link]).collect(),
-            None => {
+            Some(trial) => {
+                let one_by_one = trial.links.iter().map(|link| vec![*link]).collect();
+                let open: Vec<Closing> = trial.found.iter().map(|(_, closing, _)| *closing).collect();
+                d.reordered(one_by_one, &own, &open, (&joined, &found))
+            }
+            // The route that was asked for has its own order.
+            None if three.iter().any(|meet| links.contains(&meet.link)) => {
                 let mut all = in_order(&links, &own);
                 // The other one gives the line of the second force.
                 all.sort_by_key(|chunk| three.iter().any(|meet| chunk.contains(&meet.link)));
-                all
+                all.into_iter().map(Chunk::of).collect()
+            }
+            None => {
+                let mut all = in_order(&links, &own);
+                all.extend(after.iter().map(|link| vec![*link]));
+                d.reordered(all, &own, &[], (&joined, &found))
             }
         };
-        for chunk in chunks {
+        for Chunk { links: chunk, gives } in chunks {
             found.by_moments = own.iter().filter_map(|taken| d.given_by_moments(taken)).collect();
             let mut parties: Vec<Party> = Vec::new();
             for link in &chunk {
                 parties.extend(d.pins_before(*link, &bodies).into_iter().map(Party::Pin));
                 parties.push(Party::Link(*link));
             }
+            // The polygon of a driven pin gives what its links need, that of another one what they need together.
+            let pins = d.pins_among(&chunk, gives, &bodies);
+            let gives = gives || !pins.is_empty();
+            parties.extend(pins.into_iter().map(Party::Pin));
             let first = bodies.len();
             for (place, party) in parties.iter().enumerate() {
                 let body = match *party {
-                    Party::Link(link) => d.free_body(link, &found),
+                    Party::Link(link) => d.free_bodies(link, &joined, &found),
                     Party::Pin(pin) => d.free_pin(pin, &found),
                 };
                 bodies.extend(body.map(|body| FreeBody {
-                    with_next: chunk.len() > 1 && place + 1 < parties.len(),
+                    with_next: (chunk.len() > 1 || gives) && place + 1 < parties.len(),
                     ..body
                 }));
-                if chunk.len() == 1 {
+                if chunk.len() == 1 && !gives {
                     found.learn(&bodies[first..]);
                 }
             }
             let meets = own.iter().any(|taken| matches!(taken.about, About::Meet { .. }));
-            if meets || held_by_rods(&own).is_some() {
+            let by_rods = held_by_rods(&own).is_some() && chunk.len() > 1;
+            if meets || by_rods || gives {
                 closed_by_the_last(&mut bodies[first..]);
             }
             found.learn(&bodies[first..]);
@@ -119,6 +141,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     };
     let trial = trial.filter(|_| !moments.iter().any(by_moments));
     let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
+    let members = members.into_iter().filter_map(|member| d.member_told(member, &bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
     let told: Vec<MomentBalance> = moments.iter().chain(&shaking).cloned().collect();
     let arms = d.arms_asked(&told);
@@ -142,6 +165,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
         moments,
         arms,
         meets,
+        members,
         whole,
         inertia,
         shaking,
@@ -156,24 +180,49 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     })
 }
 
+/// Bodies of a group that are told together.
+struct Chunk {
+    links: Vec<LinkId>,
+    /// The polygon of the last one gives what those of the others need.
+    gives: bool,
+}
+
+impl Chunk {
+    const fn of(links: Vec<LinkId>) -> Self {
+        Self { links, gives: false }
+    }
+}
+
 /// The forces that earlier bodies have given, and those that moments give before a polygon is laid off.
+#[derive(Debug, Default)]
 pub(super) struct Found {
     known: Vec<Action>,
     by_moments: Vec<Action>,
+    /// Links that have two forces together.
+    members: Vec<(Vec<LinkId>, [PointId; 2])>,
 }
 
 impl Found {
     /// What moments give, before any body is in balance.
     pub(super) const fn of_moments(by_moments: Vec<Action>) -> Self {
-        Self { known: Vec::new(), by_moments }
+        Self { known: Vec::new(), by_moments, members: Vec::new() }
     }
 
     pub(super) fn learn(&mut self, bodies: &[FreeBody]) {
-        self.known.extend(bodies.iter().flat_map(|body| body.acting.iter().map(|acting| acting.action)));
+        // A body of two forces of which none is found gives only their line.
+        let gives =
+            |body: &&FreeBody| body.acting.len() != 2 || !body.acting.iter().all(|acting| acting.closes);
+        let all = bodies.iter().filter(gives).flat_map(|body| &body.acting);
+        self.known.extend(all.map(|acting| acting.action));
     }
 
     fn is_known(&self, action: Action) -> bool {
         self.known.iter().any(|known| same_pair(*known, action))
+    }
+
+    /// Whether a force is one of the two that act on several links together, so that its line is that of their ends.
+    fn is_of_member(&self, link: LinkId, other: LinkId) -> bool {
+        self.members.iter().any(|(links, _)| links.contains(&link) != links.contains(&other))
     }
 }
 
@@ -197,7 +246,9 @@ fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
     }
     match taken {
         [one, other] if matches!(one.found, TakenFor::Across { .. }) => {
-            return vec![[*one, *other].into_iter().filter_map(first).collect()];
+            let together: Vec<LinkId> = [*one, *other].into_iter().filter_map(first).collect();
+            all.retain(|link| !together.contains(link));
+            return std::iter::once(together).chain(all.into_iter().map(|link| vec![link])).collect();
         }
         // The member of two forces first: it gives the line.
         [one] if matches!(one.found, TakenFor::Along { .. }) => {
@@ -225,6 +276,7 @@ fn held_by_rods(taken: &[&Taken]) -> Option<LinkId> {
 /// The legs of a link are closed once its own polygon, which is laid off first, has given what it exerts on them.
 fn closed_by_the_last(bodies: &mut [FreeBody]) {
     if let Some((middle, legs)) = bodies.split_last_mut() {
+        middle.gives = true;
         for leg in legs {
             for acting in &mut leg.acting {
                 let given = middle.acting.iter().any(|other| same_pair(other.action, acting.action));
@@ -255,6 +307,110 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
 }
 
 impl Draughtsman<'_> {
+    /// The bodies of a group in the order that is preferred, or in another one where in that order a polygon would be laid
+    /// off before what it needs is found.
+    fn reordered(
+        &mut self,
+        preferred: Vec<Vec<LinkId>>,
+        taken: &[&Taken],
+        open: &[Closing],
+        (joined, found): (&[Vec<LinkId>], &Found),
+    ) -> Vec<Chunk> {
+        let mut bodies = Vec::new();
+        let mut chunks = Vec::new();
+        for chunk in &preferred {
+            let first = bodies.len();
+            bodies.extend(chunk.iter().filter_map(|link| self.free_bodies(*link, joined, found)));
+            chunks.push((first..bodies.len()).collect::<Vec<usize>>());
+        }
+        let moments: Vec<MomentBalance> =
+            taken.iter().filter_map(|taken| self.moment_balance(taken, &bodies)).collect();
+        let mut told = super::order::Told::new(self.mechanism, &found.known);
+        // What a trial left open and found.
+        for closing in open {
+            match *closing {
+                Closing::Rod { link, near, .. } => {
+                    let others = self.mechanism.parties_at(near).into_iter().filter(|other| *other != link);
+                    let by = others.into_iter().next().unwrap_or(link);
+                    told.learn_along(self.force_at_pin(near, by, link));
+                }
+                Closing::Slide { slide, .. } => told.learn_force(self.force_of_slide(slide)),
+                Closing::Driven { input, .. } => told.learn_force(Action::Drive(input)),
+                Closing::Contact { roll, .. } | Closing::Roll { roll } => {
+                    let [_, on] = self.mechanism.rolls[roll].bodies();
+                    told.learn_force(self.mechanism.force_of_roll(roll, on));
+                }
+                Closing::Angle { .. } => {}
+            }
+        }
+        let members: Vec<&[LinkId]> = found.members.iter().map(|(links, _)| &links[..]).collect();
+        let group = super::order::Group { bodies: &bodies, moments: &moments, members: &members };
+        if !told.tells_all(group, &chunks)
+            && let Some(order) = told.order(group)
+        {
+            let links = |body: &usize| match bodies[*body].of {
+                Party::Link(link) => Some(link),
+                Party::Pin(_) => None,
+            };
+            let chunk = |chunk: &Vec<usize>| Chunk {
+                links: chunk.iter().filter_map(links).collect(),
+                gives: chunk.len() > 1,
+            };
+            return order.iter().map(chunk).collect();
+        }
+        preferred.into_iter().map(Chunk::of).collect()
+    }
+
+    /// A link cut free, with those that are taken with it as if they were one.
+    fn free_bodies(&mut self, link: LinkId, joined: &[Vec<LinkId>], found: &Found) -> Option<FreeBody> {
+        let own = self.free_body(link, found);
+        let Some(others) = joined.iter().find(|all| all.first() == Some(&link)) else { return own };
+        let mut body = own?;
+        for other in &others[1..] {
+            let Some(other) = self.free_body(*other, found) else { continue };
+            body.acting.extend(other.acting);
+            body.torques.extend(other.torques);
+        }
+        let between = |action: Action| match action {
+            Action::Pair { by, on } => [by, on].iter().all(|link| others.contains(link)),
+            Action::OfPin(pin, _) => self.mechanism.parties_at(pin).iter().all(|link| others.contains(link)),
+            Action::Drive(input) | Action::DriveBack(input) => {
+                self.mechanism.driven_between(input).iter().all(|link| others.contains(link))
+            }
+            Action::Rolling { roll, .. } => {
+                self.mechanism.rolls[roll].bodies().iter().all(|link| others.contains(link))
+            }
+            _ => false,
+        };
+        body.acting.retain(|acting| !between(acting.action));
+        body.acting.sort_by_key(|acting| acting.closes);
+        body.with = others[1..].to_vec();
+        Some(body)
+    }
+
+    /// That several links have two forces together, told at the first body on which one of these acts.
+    fn member_told(&self, (links, ends): (Vec<LinkId>, [PointId; 2]), bodies: &[FreeBody]) -> Option<Member> {
+        let from_without = |acting: &Acting| match acting.action {
+            Action::Pair { by, on } => links.contains(&by) != links.contains(&on),
+            Action::Drive(_) | Action::DriveBack(_) => links.len() == 1,
+            Action::OfPin(pin, on) => ends.contains(&pin) && links.contains(&on),
+            _ => false,
+        };
+        let told = bodies.iter().position(|body| {
+            let ours = body.links().iter().any(|link| links.contains(link));
+            let touches = |acting: &Acting| match acting.action {
+                Action::Pair { by, .. } => links.contains(&by),
+                Action::OfPin(pin, _) => ends.contains(&pin),
+                Action::Drive(input) => {
+                    self.mechanism.driven_between(input).iter().any(|link| links.contains(link))
+                }
+                _ => false,
+            };
+            ours && body.acting.iter().any(from_without) || body.acting.iter().any(touches)
+        })?;
+        Some(Member { links, ends, told })
+    }
+
     /// Where three forces meet, told at their body: the lines of all of them are known then, and the polygon gives the sizes
     /// of those that the other link of the group and the pin exert.
     fn meet_told(&self, meet: &ThreeForces, bodies: &mut [FreeBody]) -> Option<MeetOfThree> {
@@ -418,7 +574,11 @@ impl Draughtsman<'_> {
                 Turning::Force(action) => Some(action),
                 _ => None,
             },
+            TakenFor::Driven(input) => Some(Action::Drive(input)),
             TakenFor::Across { .. } => None,
+            TakenFor::Along { pin, by, on, .. } if self.carrier_of_whole(pin).is_some() => {
+                Some(self.force_at_pin(pin, by, on))
+            }
             TakenFor::Along { pin, by, on, .. } => Some(match self.mechanism.parties_at(pin).len() {
                 0..=2 => Action::Pair { by, on },
                 _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
@@ -426,35 +586,54 @@ impl Draughtsman<'_> {
             }),
             TakenFor::Roll { roll, presses: false, .. } if self.keeps_contact(roll) => None,
             TakenFor::Roll { roll, on, .. } => Some(self.mechanism.force_of_roll(roll, on)),
-            TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
-                let pair = self.mechanism.slides[slide];
-                let guide = pair.guide.link;
-                Some(match self.mechanism.party_of(&pair.rider) {
-                    Party::Link(link) => Action::Pair { by: guide, on: link },
-                    Party::Pin(pin) => {
-                        let parties = self.mechanism.parties_at(pin);
-                        match parties[..] {
-                            [one, other] => Action::Pair { by: one, on: other },
-                            _ => Action::OfPin(pin, guide),
-                        }
-                    }
-                })
-            }
+            TakenFor::Slide(slide) | TakenFor::Slot(slide) => Some(self.force_of_slide(slide)),
+        }
+    }
+
+    /// The force of a sliding pair: of the guide on what rides, or of a bare pin on the guide.
+    fn force_of_slide(&self, slide: usize) -> Action {
+        let pair = self.mechanism.slides[slide];
+        let guide = pair.guide.link;
+        match self.mechanism.party_of(&pair.rider) {
+            Party::Link(link) => Action::Pair { by: guide, on: link },
+            Party::Pin(pin) => match self.mechanism.parties_at(pin)[..] {
+                [one, other] => Action::Pair { by: one, on: other },
+                _ => Action::OfPin(pin, guide),
+            },
         }
     }
 
     /// The pins of several links that are in balance before this last one of their links is.
     fn pins_before(&self, link: LinkId, bodies: &[FreeBody]) -> Vec<PointId> {
         let m = self.mechanism;
-        let shown = |party: Party| bodies.iter().any(|body| body.of == party);
+        let shown = |party: Party| match party {
+            Party::Link(link) => bodies.iter().any(|body| body.has(link)),
+            Party::Pin(_) => bodies.iter().any(|body| body.of == party),
+        };
         let pins = (0..m.points.len()).map(PointId).filter(|pin| {
             let parties = m.parties_at(*pin);
             let others = || parties.iter().filter(|other| **other != link);
             parties.len() > 2
+                && m.drive_of_pin(*pin).is_none()
                 && parties.contains(&link)
                 && !shown(Party::Pin(*pin))
                 && !parties.contains(&LinkId::FRAME)
                 && others().all(|other| shown(Party::Link(*other)))
+        });
+        pins.collect()
+    }
+
+    /// The pins that are cut free once these links are shown: those that are driven along a guide, or all.
+    fn pins_among(&self, chunk: &[LinkId], all: bool, bodies: &[FreeBody]) -> Vec<PointId> {
+        let m = self.mechanism;
+        let shown = |link: &LinkId| chunk.contains(link) || bodies.iter().any(|body| body.has(*link));
+        let pins = (0..m.points.len()).map(PointId).filter(|pin| {
+            let parties = m.parties_at(*pin);
+            (all || m.drive_of_pin(*pin).is_some())
+                && (parties.len() > 2 || self.carrier_of_whole(*pin).is_some())
+                && !bodies.iter().any(|body| body.of == Party::Pin(*pin))
+                && parties.iter().all(shown)
+                && parties.iter().any(|link| chunk.contains(link))
         });
         pins.collect()
     }
@@ -469,15 +648,31 @@ impl Draughtsman<'_> {
         let mut acting: Vec<Acting> = Vec::new();
         for link in self.mechanism.parties_at(pin) {
             let action = Action::OnPin(link, pin);
-            let known = if found.is_known(action) { Knowledge::Full } else { Knowledge::Nothing };
+            let lined = self.mechanism.slots_at(pin, link) == 1;
+            let known = match found.is_known(action) {
+                true => Knowledge::Full,
+                false => self.knowledge(link, None, lined),
+            };
             acting.extend(self.acting(action, known));
         }
         acting.sort_by_key(|acting| acting.known);
         if let Some((input, _)) = self.mechanism.drive_of_pin(pin).filter(|_| self.drives_are_sought()) {
             acting.extend(self.acting(Action::Drive(input), Knowledge::Line));
         }
+        let by_moments = |action: Action| found.by_moments.iter().any(|given| same_pair(*given, action));
+        for acting in &mut acting {
+            acting.closes &= !by_moments(acting.action);
+        }
+        acting.sort_by_key(|acting| acting.closes);
         let of = Party::Pin(pin);
-        (!acting.is_empty()).then_some(FreeBody { of, acting, torques: Vec::new(), with_next: false })
+        (!acting.is_empty()).then_some(FreeBody {
+            of,
+            with: Vec::new(),
+            acting,
+            torques: Vec::new(),
+            with_next: false,
+            gives: false,
+        })
     }
 
     pub(super) fn free_body(&mut self, link: LinkId, found: &Found) -> Option<FreeBody> {
@@ -521,15 +716,16 @@ impl Draughtsman<'_> {
                 continue;
             }
             // A pin in a slot is pressed across it.
-            let slot = |of: LinkId| {
-                let own =
-                    |slide: &&Slide| m.party_of(&slide.rider) == Party::Pin(pin) && slide.guide.link == of;
-                m.slides.iter().filter(own).count() == 1
-            };
+            let slot = |of: LinkId| m.slots_at(pin, of) == 1;
             match parties[..] {
+                _ if self.carrier_of_whole(pin).is_some() => {
+                    let lined = slot(link) || found.members.iter().any(|(_, ends)| ends.contains(&pin));
+                    wanted.push((Action::OfPin(pin, link), self.knowledge(link, None, lined)));
+                }
                 [one, other] => {
                     let by = if one == link { other } else { one };
-                    let known = self.knowledge(link, Some(by), slot(one) || slot(other));
+                    let lined = slot(one) || slot(other) || found.is_of_member(link, by);
+                    let known = self.knowledge(link, Some(by), lined);
                     wanted.push((Action::Pair { by, on: link }, known));
                 }
                 _ => wanted.push((Action::OfPin(pin, link), self.knowledge(link, None, slot(link)))),
@@ -560,7 +756,10 @@ impl Draughtsman<'_> {
                 // At a pin of more links the pin itself is cut free.
                 Party::Pin(pin) => {
                     let parties = m.parties_at(pin);
-                    parties.len() == 2 && parties.contains(&link) && m.slides[*slide].guide.link != link
+                    parties.len() == 2
+                        && self.carrier_of_whole(pin).is_none()
+                        && parties.contains(&link)
+                        && m.slides[*slide].guide.link != link
                 }
             };
             if rides {
@@ -582,10 +781,21 @@ impl Draughtsman<'_> {
             Knowledge::Line => 2,
             Knowledge::Nothing => 3,
         });
+        // Within what has two forces together, and at a bare pin that is driven there, a pair passes nothing on.
+        let passes_nothing = |own: &Acting| match own.action {
+            Action::Pair { by, on } if own.force == [0.0; 2] => {
+                let between = |links: &Vec<LinkId>| match links.len() {
+                    1 => links.contains(&by) || links.contains(&on),
+                    _ => links.contains(&by) && links.contains(&on),
+                };
+                found.members.iter().any(|(links, _)| between(links))
+            }
+            _ => false,
+        };
         let mut acting: Vec<Acting> = Vec::new();
         for (action, known) in wanted {
             if acting.iter().all(|other| other.action != action)
-                && let Some(own) = self.acting(action, known)
+                && let Some(own) = self.acting(action, known).filter(|own| !passes_nothing(own))
             {
                 acting.push(Acting { closes: known != Knowledge::Full && !by_moments(action), ..own });
             }
@@ -603,7 +813,14 @@ impl Draughtsman<'_> {
         let shifts = acting.iter().any(|a| a.action == Action::Inertia(link) && !a.with_couple);
         let torques = self.torques_on(link, shifts);
         let of = Party::Link(link);
-        (!acting.is_empty()).then_some(FreeBody { of, acting, torques, with_next: false })
+        (!acting.is_empty()).then_some(FreeBody {
+            of,
+            with: Vec::new(),
+            acting,
+            torques,
+            with_next: false,
+            gives: false,
+        })
     }
 
     /// Torques on a link: efforts, loads, and that of inertia where no inertia force is shifted by it.

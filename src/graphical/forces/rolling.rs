@@ -331,54 +331,6 @@ pub(super) fn wheel(
     d.note_pin(balance, centre, wheel, reaction);
 }
 
-/// A planet: moments of the arm about its pin give the part of the force between them across the arm; with it, moments of
-/// the planet about each contact give the force along the tangent at the other one. What teeth push apart passes by both.
-pub(super) fn planet(
-    d: &mut Draughtsman<'_>,
-    (arm, base): (LinkId, PointId),
-    (wheel, centre): (LinkId, PointId),
-    rolls: [usize; 2],
-    balance: &mut Balance,
-) {
-    if Draughtsman::rubs_at(balance, centre) {
-        balance.refused = Some(TOOTHED);
-        return;
-    }
-    let (on_arm, mut on_wheel) = (balance.on(arm), balance.on(wheel));
-    let (at_base, at) = (d.touch_at(balance, base, arm), d.at(centre));
-    let reason = d.reason(&[arm]);
-    let (along, _) = d.board.toward(at_base, at, reason);
-    let across = Line { through: at, along: d.board.quarter_turn(along) };
-    let moments = d.moments(&on_arm, at_base);
-    let of_wheel = moments.map(|moments| {
-        let found = TakenFor::Across { pin: centre, by: wheel, on: arm, from: base };
-        balance.taken.push(Taken { links: vec![arm], about: About::Point(base), found });
-        let size = d.balancing(Some(moments), across, at_base, &[arm]);
-        d.pull_along(across.along, size)
-    });
-    let of_arm = of_wheel.map(|pull| Item { pull: Some(Draughtsman::opposite(pull)), at, couple: None });
-    on_wheel.extend(of_arm);
-    let contacts = rolls.map(|roll| d.contact_at(roll));
-    let mut all = pulls(&balance.on(wheel));
-    for side in 0..2 {
-        let (contact, about) = (&contacts[side], contacts[1 - side].at);
-        let moments = d.moments(&on_wheel, about);
-        let line = Line { through: contact.at, along: contact.tangent };
-        let size = d.balancing(moments, line, about, &[wheel]);
-        let pull = d.rolling_pull(balance, (rolls[side], wheel), contact, size);
-        d.rolls_on(balance, rolls[side], (wheel, pull), contact.at);
-        all.push(pull);
-    }
-    let on_wheel_at_pin = d.closing(&all);
-    let on_wheel_at_pin = d.pin_force_as_used(centre, wheel, on_wheel_at_pin);
-    let on_arm_at_pin = Draughtsman::opposite(on_wheel_at_pin);
-    d.note_inner_pin(balance, centre, [(wheel, on_wheel_at_pin), (arm, on_arm_at_pin)]);
-    let mut of_arm = pulls(&on_arm);
-    of_arm.push(on_arm_at_pin);
-    let reaction = d.closing(&of_arm);
-    d.note_pin(balance, base, arm, reaction);
-}
-
 /// A rack in a guide: a polygon with two known lines, square to the guide and along the rack.
 pub(super) fn rack(
     d: &mut Draughtsman<'_>,

@@ -296,8 +296,19 @@ fn sine(a: Direction, b: Direction) -> f64 {
     ax * by - ay * bx
 }
 
-/// The balance of a link on three legs; `false` where their lines are all parallel.
-pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balance) -> bool {
+/// The balance of a group that is a link on three legs; `false`, and nothing noted, where it is none or where the lines of
+/// the legs are all parallel.
+pub(super) fn on_legs(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) -> bool {
+    let Some(legs) = d.triad(group) else { return false };
+    let before = balance.clone();
+    let found = triad(d, &legs, balance);
+    if !found {
+        *balance = before;
+    }
+    found
+}
+
+fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balance) -> bool {
     let Triad { middle, legs } = triad.clone();
     // A circle at a solved pin in a slot of the middle link hands on a couple that hangs on the force.
     let rubs = |leg: &Leg| matches!(leg, Leg::Carries { pin, .. } if Draughtsman::rubs_at(balance, *pin));
