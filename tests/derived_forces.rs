@@ -8,7 +8,7 @@ use crate::told::{CLAMP, DRIVEN_ROD};
 
 use linkgram::graphical::construction::{Acting, ForceSheet, FreeBody, Knowledge, Turning};
 use linkgram::mechanism::Mechanism;
-use linkgram::mechanism::force::{Action, Sought};
+use linkgram::mechanism::force::{Action, Force, Sought};
 use linkgram::mechanism::structure::Closing;
 use linkgram::plan::Extent;
 use linkgram::{scene, sheet, solve};
@@ -31,6 +31,8 @@ enum Part {
     Whole(Action),
     Along(Action),
     Across(Action),
+    /// A couple of it.
+    Couple(Action),
 }
 
 struct Reader<'a> {
@@ -81,6 +83,7 @@ impl Reader<'_> {
                 Turning::Force(action) => self.knows(action),
                 Turning::Across(action) => self.has(Part::Across(pair(action))) || self.knows(action),
                 Turning::Along(action) => self.has(Part::Along(pair(action))) || self.knows(action),
+                Turning::Torque(Force::Moment(action, _)) => self.has(Part::Couple(pair(action))),
                 Turning::Torque(_) => true,
             });
             if !known {
@@ -90,6 +93,7 @@ impl Reader<'_> {
                 Turning::Force(action) => self.learn(Part::Whole(pair(action))),
                 Turning::Across(action) => self.learn(Part::Across(pair(action))),
                 Turning::Along(action) => self.learn(Part::Along(pair(action))),
+                Turning::Torque(Force::Moment(action, _)) => self.learn(Part::Couple(pair(action))),
                 Turning::Torque(_) => false,
             };
         }
@@ -214,7 +218,8 @@ fn unfounded(mechanism: &Mechanism, sheet: &ForceSheet) -> Vec<String> {
 
 /// Everything with forces that the project has, and what is said here.
 fn scenes() -> Vec<(String, String)> {
-    let folders = ["examples/forces", "examples", "examples/exam", "tests/derived"].map(|name| common::root().join(name));
+    let folders = ["examples/forces", "examples", "examples/exam", "tests/derived"]
+        .map(|name| common::root().join(name));
     let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let files = files.map(|entry| entry.unwrap().path());
     let files = files.filter(|path| path.extension().is_some_and(|ending| ending == "json"));

@@ -168,6 +168,7 @@ impl Teller<'_> {
                 return Key::OfLink("W", link);
             }
             Force::Vector(action) => Force::Vector(either(action)),
+            Force::Moment(action, about) => Force::Moment(either(action), about),
             other => other,
         };
         Key::Of(Quantity::Force(force, self.share))

@@ -120,7 +120,45 @@ impl Draughtsman<'_> {
 
     /// The moments of a balance, as they are told at the bodies.
     pub(super) fn moments_told(&mut self, taken: &[Taken], bodies: &[FreeBody]) -> Vec<MomentBalance> {
-        taken.iter().filter_map(|taken| self.moment_balance(taken, bodies)).collect()
+        let mut all = Vec::new();
+        for taken in taken {
+            let Some(balance) = self.moment_balance(taken, bodies) else { continue };
+            for term in &balance.terms {
+                all.extend(self.couple_told(term.of, balance.told, bodies));
+            }
+            all.push(balance);
+        }
+        all
+    }
+
+    /// The moments of what rides in a guide about its pin, which give the couple that it exerts on the guide: they are told
+    /// before those in which this couple stands.
+    fn couple_told(&mut self, of: Turning, told: usize, bodies: &[FreeBody]) -> Option<MomentBalance> {
+        let Turning::Torque(Force::Moment(Action::Pair { by: rider, on: guide }, pin)) = of else {
+            return None;
+        };
+        let (at, place) = (self.at(pin), bodies.iter().position(|body| body.has(rider))?);
+        let body = bodies.get(place)?;
+        let pair = Action::Pair { by: guide, on: rider };
+        let mut terms = Vec::new();
+        for acting in &body.acting {
+            if !same_pair(acting.action, pair) && !self.passes(acting.action, pin) {
+                let place = if acting.with_couple {
+                    self.items_of(acting.action, self.told).ok()?.first().map(|item| item.at)
+                } else {
+                    None
+                };
+                terms.extend(self.moment_term(acting.action, at, place));
+            }
+        }
+        terms.extend(body.torques.iter().map(|(force, value)| torque(*force, *value)));
+        terms.retain(|term| term.moment != 0.0);
+        let size: f64 = terms.iter().map(|term| term.moment).sum();
+        let found = torque(Force::Moment(pair, pin), -size);
+        let told = told.min(place);
+        let about = Told::Point(pin);
+        (size != 0.0)
+            .then(|| self.with_shared_arms(MomentBalance { links: vec![rider], told, about, terms, found }))
     }
 
     pub(super) fn moment_balance(&mut self, taken: &Taken, bodies: &[FreeBody]) -> Option<MomentBalance> {
