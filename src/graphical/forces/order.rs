@@ -184,8 +184,8 @@ impl<'m> Told<'m> {
             left.retain(|body| {
                 let body = &group.bodies[*body];
                 let closes = self.closes(body, group);
-                let learns =
-                    body.acting.len() != 2 || body.acting.iter().any(|acting| self.open(acting) == 0);
+                let open = |acting: &Acting| acting.force != [0.0; 2] && self.open(acting) > 0;
+                let learns = body.acting.len() != 2 || !body.acting.iter().all(open);
                 if closes && learns {
                     self.learn(body);
                 }

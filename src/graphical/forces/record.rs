@@ -210,8 +210,8 @@ impl Found {
 
     pub(super) fn learn(&mut self, bodies: &[FreeBody]) {
         // A body of two forces of which none is found gives only their line.
-        let gives =
-            |body: &&FreeBody| body.acting.len() != 2 || !body.acting.iter().all(|acting| acting.closes);
+        let open = |acting: &Acting| acting.closes && acting.force != [0.0; 2];
+        let gives = |body: &&FreeBody| body.acting.len() != 2 || !body.acting.iter().all(open);
         let all = bodies.iter().filter(gives).flat_map(|body| &body.acting);
         self.known.extend(all.map(|acting| acting.action));
     }
