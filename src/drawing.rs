@@ -179,7 +179,7 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
             return Err(NoFigure::Wish(what.to_owned()));
         }
     }
-    let (extent, solved) = wish.solve(scene, &names, &[])?;
+    let (extent, solved) = wish.solve(scene, &names, None)?;
     let language = wish.language(scene);
     let compose = |solved: &Solved| {
         let construction = &solved.solution.construction;
@@ -194,15 +194,10 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
             }
         })
     };
-    // The sheet is composed while the other solver is at work.
-    let (confirmed, figure) = parallel::both(|| confirm(scene, &solved), || compose(&solved));
-    // What is wrong with the wish itself is told first.
-    let (solved, mut figure) =
-        on_its_paper(scene, wish.kind, (solved, figure?), |smaller| -> Result<_, NoFigure> {
-            let (_, solved) = wish.solve(scene, &names, smaller)?;
-            let figure = compose(&solved)?;
-            Ok((solved, figure))
-        })?;
+    let first = Drawing::of(scene, solved, compose)?;
+    let Drawing { solved, mut figure, confirmed } = on_its_paper(scene, wish.kind, first, |scales| {
+        Drawing::of(scene, wish.solve(scene, &names, Some(scales))?.1, compose)
+    })?;
     let construction = &solved.solution.construction;
     if let Err(why) = confirmed {
         figure = wish.noted(figure, why, language)?;
@@ -217,37 +212,53 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
     Ok(Drawn { figure, indeterminate: indeterminate(scene, construction) })
 }
 
-/// Scales with some others in their place.
-pub(crate) fn with(scales: Scales, others: &[(Dimension, f64)]) -> Scales {
-    others.iter().fold(scales, |scales, (dimension, scale)| scales.with(*dimension, *scale))
+/// A solution, the sheet that is composed of it, and whether the independent solver confirms what that shows.
+pub(crate) struct Drawing {
+    pub(crate) solved: Solved,
+    pub(crate) figure: Figure,
+    pub(crate) confirmed: Result<(), Unconfirmed>,
 }
 
-/// A sheet whose diagrams do not fit their paper, drawn again at smaller scales.
+impl Drawing {
+    /// Composes the sheet while the other solver is at work. What is wrong with the wish itself is told first.
+    pub(crate) fn of<E>(
+        scene: &Scene,
+        solved: Solved,
+        compose: impl FnOnce(&Solved) -> Result<Figure, E>,
+    ) -> Result<Self, E> {
+        let (confirmed, figure) = parallel::both(|| confirm(scene, &solved), || compose(&solved));
+        Ok(Self { figure: figure?, solved, confirmed })
+    }
+}
+
+/// A sheet whose diagrams do not fit their paper, drawn again at smaller scales. What is handed out is confirmed as it was
+/// drawn last, and as it was drawn before.
 pub(crate) fn on_its_paper<E>(
     scene: &Scene,
     kind: Kind,
-    first: (Solved, Figure),
-    again: impl Fn(&[(Dimension, f64)]) -> Result<(Solved, Figure), E>,
-) -> Result<(Solved, Figure), E> {
+    first: Drawing,
+    again: impl Fn(Scales) -> Result<Drawing, E>,
+) -> Result<Drawing, E> {
     /// How often.
     const AGAIN: usize = 4;
-    let (mut solved, mut figure) = first;
-    let mut smaller: Vec<(Dimension, f64)> = Vec::new();
+    let mut drawing = first;
     // A question is on one page where it can be.
     let pages = (kind == Kind::Question).then_some(1);
     for _ in 0..AGAIN {
-        let next = |pages| sheet::scale::outgrown(scene, &solved.solution.construction, &figure, pages);
-        let (fitting, next) = (next(None).is_none(), next(pages));
-        let Some(next) = next else { break };
-        smaller.retain(|(dimension, _)| *dimension != next.0);
-        smaller.push(next);
-        let other = again(&smaller)?;
-        if fitting && other.1.pages().len() >= figure.pages().len() {
+        let construction = &drawing.solved.solution.construction;
+        let next = |pages| sheet::scale::outgrown(scene, construction, &drawing.figure, pages);
+        let outgrown = next(None);
+        let fitting = outgrown.is_none();
+        let Some((dimension, scale)) = outgrown.or_else(|| pages.and_then(|most| next(Some(most)))) else {
+            break;
+        };
+        let other = again(drawing.solved.scales.with(dimension, scale))?;
+        if fitting && other.figure.pages().len() >= drawing.figure.pages().len() {
             break;
         }
-        (solved, figure) = other;
+        drawing = Drawing { confirmed: drawing.confirmed.and(other.confirmed), ..other };
     }
-    Ok((solved, figure))
+    Ok(drawing)
 }
 
 /// The steps of the solution as frames of one size.
@@ -262,7 +273,7 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Film, NoFigure> {
     if !names.is_empty() {
         return Err(NoFigure::Wish("--as steps draws all figures; leave out --figure".to_owned()));
     }
-    let (_, solved) = wish.solve(scene, &names, &[])?;
+    let (_, solved) = wish.solve(scene, &names, None)?;
     let language = wish.language(scene);
     let film = || {
         let frames = sheet::film(scene, &solved.solution.construction, language).into_iter();
@@ -330,14 +341,15 @@ impl Wish {
         Ok(names.iter().map(String::as_str).collect())
     }
 
-    /// Solves, with the scales of the page but for some that are smaller.
+    /// Solves, with these scales, or with those of the page. Which these are is found by paging the sheet's text: who knows
+    /// them already is spared that.
     fn solve(
         &self,
         scene: &Scene,
         names: &[&str],
-        smaller: &[(Dimension, f64)],
+        scales: Option<Scales>,
     ) -> Result<(Extent, Solved), NoFigure> {
-        let scales = match self.kind {
+        let of_page = match self.kind {
             Kind::Question => sheet::scale::for_question,
             Kind::Steps => sheet::scale::for_steps,
             Kind::Solution => sheet::scale::for_scene,
@@ -346,7 +358,7 @@ impl Wish {
         let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
         let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
         let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(NoFigure::Wish)?;
-        let choose = |scene: &Scene, extents| with(scales(scene, extents), smaller);
+        let choose = |scene: &Scene, extents| scales.unwrap_or_else(|| of_page(scene, extents));
         Ok((extent, solve_with(scene, extent, &auxiliary, self.settings, choose)?))
     }
 }
@@ -413,5 +425,46 @@ impl Shown<'_> {
             let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
             NoFigure::Wish(format!("figure {name}: {why}"))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A Geneva wheel reaches further than its joints, so that its sheet is drawn again.
+    const GENEVA: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O3": [100, 0]},
+        "links": {"2": {"joins": ["O2", "P"], "length": 50}, "3": {"joins": ["O3"]}},
+        "slides": [{"pin": "P", "on": {"link": 3, "through": "O3"}}],
+        "input": {"link": 2, "angle": 20, "omega": "60 rpm ccw"}, "find": ["omega(3)", "alpha(3)"]}"#;
+
+    #[test]
+    fn what_is_drawn_again_is_confirmed_again() {
+        let scene = crate::scene::read(GENEVA, "geneva").unwrap();
+        let wish = Wish::default();
+        let draw = |scales: Option<Scales>, wrong: bool| {
+            let (_, mut solved) = wish.solve(&scene, &[], scales)?;
+            let image = solved.solution.construction.diagrams.iter_mut().flat_map(|d| &mut d.images);
+            // An image a tenth of a millimetre off its place, as a slip while the sheet is drawn would have it.
+            if let Some(image) = image.filter(|_| wrong).find(|image| image.at != [0.0; 2]) {
+                image.at[0] += 0.1;
+            }
+            let compose = |solved: &Solved| {
+                Ok::<_, NoFigure>(sheet::solution(&scene, &solved.solution.construction, Language::English))
+            };
+            Drawing::of(&scene, solved, compose)
+        };
+        let times = std::cell::Cell::new(0);
+        let finally = |first: bool, then: bool| {
+            let again = |scales| {
+                times.set(times.get() + 1);
+                draw(Some(scales), then)
+            };
+            on_its_paper(&scene, Kind::Solution, draw(None, first).unwrap(), again).unwrap().confirmed
+        };
+        assert_eq!(finally(false, false), Ok(()));
+        assert!(times.get() > 0, "the sheet of a Geneva wheel is not drawn again");
+        assert!(finally(false, true).is_err());
+        assert!(finally(true, false).is_err());
     }
 }

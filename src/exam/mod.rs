@@ -29,15 +29,14 @@ pub use qti::{QtiError, package};
 
 use crate::board::Hand;
 use crate::check::{NotConfirmed, Unconfirmed, solve_confirmed};
-use crate::drawing::{self, Kind, with_what_is_missing};
+use crate::drawing::{self, Drawing, Kind, with_what_is_missing};
+use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
-use crate::graphical::{Extents, Scales};
-use crate::mechanism::quantity::Dimension;
 use crate::parallel;
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::{self, Figure, Language};
-use crate::solve::{Settings, SolveError, Solved};
+use crate::solve::{Settings, SolveError, solve_with};
 use admission::{Base, Candidate};
 use dice::Tries;
 
@@ -422,29 +421,26 @@ fn unlike(variants: &[Variant], candidate: Candidate) -> Result<Candidate, Flaw>
     }
 }
 
-/// A variant as its sheets show it: nothing that the independent solver does not confirm is written.
-fn confirmed(scene: &Scene, scales: impl Fn(&Scene, Extents) -> Scales) -> Result<Solved, NotConfirmed> {
-    solve_confirmed(scene, Extent::WholeSkeleton, &[], Settings::default(), scales)
-}
-
-/// A sheet of a variant, at scales at which it fits its paper.
+/// A sheet of a variant, at scales at which it fits its paper. Nothing that the independent solver does not confirm is
+/// written.
 fn on_paper(
     scene: &Scene,
     kind: Kind,
     language: Language,
     compose: impl Fn(&Construction) -> Figure,
 ) -> Result<Figure, NotConfirmed> {
-    let draw = |smaller: &[(Dimension, f64)]| {
-        let scales = |scene: &Scene, extents| match kind {
-            Kind::Question => drawing::with(sheet::scale::for_question(scene, extents), smaller),
-            _ => drawing::with(sheet::scale::for_scene(scene, extents), smaller),
-        };
-        let solved = confirmed(scene, scales)?;
-        let figure = compose(&solved.solution.construction);
-        Ok::<_, NotConfirmed>((solved, figure))
+    let of_page = match kind {
+        Kind::Question => sheet::scale::for_question,
+        _ => sheet::scale::for_scene,
     };
-    let (solved, figure) = drawing::on_its_paper(scene, kind, draw(&[])?, draw)?;
-    Ok(with_what_is_missing(figure, scene, &solved, language))
+    let draw = |scales: Option<Scales>| {
+        let choose = |scene: &Scene, extents| scales.unwrap_or_else(|| of_page(scene, extents));
+        let solved = solve_with(scene, Extent::WholeSkeleton, &[], Settings::default(), choose)?;
+        Drawing::of(scene, solved, |solved| Ok::<_, NotConfirmed>(compose(&solved.solution.construction)))
+    };
+    let drawing = drawing::on_its_paper(scene, kind, draw(None)?, |scales| draw(Some(scales)))?;
+    drawing.confirmed?;
+    Ok(with_what_is_missing(drawing.figure, scene, &drawing.solved, language))
 }
 
 /// The question of a variant: what is given, the dimensioned skeleton, what is asked, how directions are counted and what
@@ -463,7 +459,8 @@ pub fn question(scene: &Scene, language: Language) -> Result<Figure, NotConfirme
 /// # Errors
 /// None for a scene that was drawn as a variant.
 pub fn card(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
-    let solved = confirmed(scene, sheet::scale::for_question)?;
+    let solved =
+        solve_confirmed(scene, Extent::WholeSkeleton, &[], Settings::default(), sheet::scale::for_question)?;
     let figure = sheet::question_card(scene, &solved.solution.construction, language);
     Ok(with_what_is_missing(figure, scene, &solved, language))
 }
