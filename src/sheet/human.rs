@@ -38,6 +38,11 @@ fn unit_in_the_last(value: f64, digits: usize) -> f64 {
     libm::exp10(libm::floor(libm::log10(value.abs())) - (digits as f64 - 1.0))
 }
 
+/// A unit of the last figure in which [`number`] writes a value.
+pub(super) fn last_place(value: f64) -> f64 {
+    unit_in_the_last(value, usual_figures(value))
+}
+
 /// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
 /// shorter one has no more.
 pub(super) fn finer(value: f64, more: usize) -> (Rich, f64) {

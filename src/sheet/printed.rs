@@ -232,13 +232,13 @@ impl Figures {
         self.printed.get(&key)
     }
 
-    /// The number to which the steps have come for a value, with its sign; none where they have not told it.
+    /// The number to which the steps have come for a value, with its sign; none where they have not told it, or where what
+    /// was rounded on the way has moved the last figure by more than one: the result is then its own number, rounded once.
     pub(super) fn told(&self, key: Key, si: f64) -> Option<f64> {
-        /// What differs by more is something else under one name.
-        const ROUNDED: f64 = 0.02;
         let print = self.printed.get(&key)?;
-        let told = print.number * print.unit.si;
-        ((told - si.abs()).abs() <= ROUNDED * si.abs()).then_some(libm::copysign(told, si))
+        let exact = si.abs() / print.unit.si;
+        let near = (print.number - exact).abs() <= human::last_place(exact) * (1.0 + 1e-9);
+        near.then_some(libm::copysign(print.number * print.unit.si, si))
     }
 
     /// Whether a number is printed already.
