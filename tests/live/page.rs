@@ -223,3 +223,28 @@ fn the_form_of_a_question_reads_or_marks() {
     assert_eq!(told[2]["marked"], serde_json::json!([true, true, false]));
     assert!(told[1]["saved"] == "" && told[2]["saved"] == "");
 }
+
+#[test]
+fn the_page_writes_angles_as_the_sheet_does() {
+    let stated = [99.55, 12.25, 0.5, 0.125, 180.0, 179.96, 45.0, 359.9996, 30.04, 100.0, 0.0];
+    let rounded = [99.552_3, 12.250_01, 33.333_333, 0.04];
+    let all: Vec<f64> =
+        stated.iter().chain(&rounded).flat_map(|own| [*own, -own]).map(f64::to_radians).collect();
+    let page = common::root().join("src/live/page/numbers.js");
+    let script = "const fs = require('fs'), degrees = new Function(`${fs.readFileSync(process.argv[1], 'utf8')}; return degrees`)();
+        console.log(JSON.stringify(JSON.parse(process.argv[2]).map(degrees)));";
+    let ran = std::process::Command::new("node")
+        .args(["-e", script])
+        .arg(page)
+        .arg(serde_json::to_string(&all).unwrap())
+        .output();
+    let Ok(ran) = ran else {
+        eprintln!("skipped: there is no node to run the page's script in");
+        return;
+    };
+    let told: Vec<String> = serde_json::from_slice(&ran.stdout)
+        .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&ran.stderr)));
+    let of_the_sheet: Vec<String> = all.iter().map(|own| sheet::moving::printed_degrees(*own)).collect();
+    assert_eq!(told, of_the_sheet);
+    assert_eq!(&told[1], "−99.55°");
+}

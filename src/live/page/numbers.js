@@ -81,9 +81,10 @@ function readOff(mm, factor, result, wished) {
   }
 }
 
-/** An angle in degrees, one decimal at most. @param {number} radians */
+/** An angle in degrees, one decimal at most; one that is stated with up to three has these. @param {number} radians */
 function degrees(radians) {
-  let text = fixed(radians * (180 / Math.PI), 1).replace(/\.0$/, '');
+  const value = radians * (180 / Math.PI), decimals = Math.abs(Number(value.toFixed(3)) - value) <= 1e-9 ? 3 : 1;
+  let text = fixed(value, decimals).replace(/\.?0+$/, '');
   if (text === '\u22120' || text === '\u2212180') text = text.slice(1);
   return `${text}°`;
 }
