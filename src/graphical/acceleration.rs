@@ -680,6 +680,7 @@ impl Draughtsman<'_> {
         self.note_part(quantity, foot, image);
         image
     }
+
     /// The same of the point by which a link's own line touches a wheel, component by component: it may be where the base is.
     fn acceleration_at_contact(&mut self, link: LinkId, base: PointId, point: PointId, index: u8) -> Point {
         let order = Order::Acceleration;

@@ -1,6 +1,4 @@
-//! Racks that lie on a wheel whose centre stands already.
-//!
-//! A rack that is pinned to a solved link and held against a wheel whose centre stands already. In the rack's own
+//! Racks that are pinned to a solved link and held against a wheel whose centre stands already. In the rack's own
 //! figure the wheel's centre lies on a parallel to its line, one radius away on either side; an arc about the pin,
 //! with the distance of the centre, meets that parallel, and the figure is laid on.
 

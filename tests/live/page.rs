@@ -248,3 +248,35 @@ fn the_page_writes_angles_as_the_sheet_does() {
     assert_eq!(told, of_the_sheet);
     assert_eq!(&told[1], "−99.55°");
 }
+
+#[test]
+fn panels_of_a_page_are_figures_of_a_sheet() {
+    let schema = linkgram::scene::schema();
+    let named = schema.pointer("/$defs/live/properties/panels/items/enum");
+    let panels: Vec<&str> = named.unwrap().as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    let figures = sheet::figure_names();
+    let strange: Vec<&&str> = panels.iter().filter(|panel| !figures.contains(panel)).collect();
+    assert!(strange.is_empty(), "{strange:?} of `panels` are names of no figure");
+    // What does not move with the mechanism, is text, or is of forces, of which a page has none.
+    let of_sheets_alone = [
+        "equivalent",
+        "lever",
+        "results",
+        "steps",
+        "forces",
+        "loads",
+        "bodies",
+        "body",
+        "polygons",
+        "polygon",
+        "shaking",
+        "friction",
+        "turning-moment",
+        "energy",
+        "controlling-force",
+    ];
+    let missing = figures.iter().filter(|name| !of_sheets_alone.contains(name) && !panels.contains(name));
+    let missing: Vec<&&str> = missing.collect();
+    assert!(missing.is_empty(), "neither in `panels` nor told to be of sheets alone: {missing:?}");
+    assert_eq!(panels.len() + of_sheets_alone.len(), figures.len());
+}
