@@ -936,6 +936,38 @@ fn a_table_prints_what_the_steps_come_to() {
     assert!(wrong.is_empty(), "{} of {rows}: {wrong:#?}", wrong.len());
 }
 
+/// In all three scripts: a line of text that ends with "=" leaves the reader waiting.
+#[test]
+fn no_line_of_a_sheet_ends_with_a_sign_of_equality() {
+    let mut scenes: Vec<(String, Scene)> = Vec::new();
+    for kind in KINDS {
+        scenes.push((kind.name.to_owned(), linkgram::scene::read(kind.scene, kind.name).unwrap()));
+    }
+    for name in ["centres/four-bar", "centres/whitworth", "forces/s000-ch5-21", "forces/s000-ch5-1"] {
+        scenes.push((name.to_owned(), common::example(name)));
+    }
+    let (mut lines, mut wrong) = (0, Vec::new());
+    for (name, scene) in &scenes {
+        let solved = linkgram::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        for language in [Language::English, Language::Arabic, Language::Persian] {
+            let figure = sheet::solution(scene, &solved.solution.construction, language);
+            for group in within(&figure.root).into_iter().filter(|group| has(group, "sentence")) {
+                let texts = group.children.iter().filter_map(|node| match node {
+                    Node::Text(text) if text.class != "mark" => Some(characters(text)),
+                    _ => None,
+                });
+                let texts: Vec<String> = texts.collect();
+                lines += usize::from(!texts.is_empty());
+                if texts.last().is_some_and(|last| last.trim_end().ends_with('=')) {
+                    wrong.push(format!("{name}, {language:?}: {}", texts.concat()));
+                }
+            }
+        }
+    }
+    assert!(lines > 10_000, "{lines}");
+    assert!(wrong.is_empty(), "{} of {lines}: {wrong:#?}", wrong.len());
+}
+
 /// Scenes whose figures reach further than their joints: a Geneva wheel, centres far away, trial points, a large wheel that
 /// rolls on a moving link.
 const FAR: [(&str, &str); 4] = [

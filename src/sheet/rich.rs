@@ -465,16 +465,15 @@ impl Rich {
             if longer.width(size) <= width || line.is_empty() {
                 line = longer;
             } else {
-                // A line does not end with a sign of equality: it stands before what it gives.
-                let signed = Self::upright("=\u{a0}").then(&word);
-                let word =
-                    match line.without_equals().filter(|_| !right_to_left && signed.width(size) <= width) {
-                        Some(before) => {
-                            line = before;
-                            signed
-                        }
-                        None => word,
-                    };
+                // A line does not end with a sign of equality: it stands before what it gives, in the same island.
+                let signed = Self::default().with_item("=\u{a0}", Face::Upright, right_to_left).then(&word);
+                let word = match line.without_equals().filter(|_| signed.width(size) <= width) {
+                    Some(before) => {
+                        line = before;
+                        signed
+                    }
+                    None => word,
+                };
                 lines.push(std::mem::replace(&mut line, word));
             }
         }
@@ -490,10 +489,16 @@ impl Rich {
 
     /// The text without the sign of equality at its end; none where it has none, or nothing else.
     fn without_equals(&self) -> Option<Self> {
+        const BLANKS: [char; 2] = [' ', '\u{a0}'];
         let mut own = self.clone();
         let Some(Item { piece: Piece::Run(text, _), .. }) = own.items.last_mut() else { return None };
-        let before = text.strip_suffix("\u{a0}=")?.to_owned();
-        *text = before;
+        let before = text.strip_suffix('=')?;
+        let bare = before.trim_end_matches(BLANKS).to_owned();
+        // A sign that stands close behind its symbol stays there.
+        if bare.len() == before.len() && !bare.is_empty() {
+            return None;
+        }
+        *text = bare;
         if text.is_empty() {
             own.items.pop();
         }
@@ -730,6 +735,7 @@ mod tests {
     #[test]
     fn no_line_ends_with_a_sign_of_equality() {
         let text = Rich::italic("x").sub("1").up("\u{a0}= 38.57\u{a0}mm, ").it("T").up("\u{a0}= 15\u{a0}N·m");
+        let text = text.then(&Rich::fill(" as {v} = 72.3\u{a0}mm", &[("v", Rich::italic("V").sub("(24)"))]));
         // Where a line can hold the sign with what it gives.
         let least = Rich::upright("=\u{a0}38.57\u{a0}mm,").width(3.5);
         for width in 0..50 {
@@ -737,6 +743,22 @@ mod tests {
             let ends = lines.iter().filter(|line| line.plain().ends_with('='));
             assert_eq!(ends.count(), 0, "{width}: {lines:?}");
         }
+    }
+
+    #[test]
+    fn nor_does_one_that_runs_from_right_to_left() {
+        let formula = Rich::italic("e").up("\u{a0}= 731.5 × 21.67 / 884.4\u{a0}= ").up("17.92\u{a0}cm");
+        let text = Rich::fill("عزوم الوصلة حول {p}", &[("p", Rich::italic("O").up(": ").then(&formula))]);
+        assert!(text.is_arabic());
+        let least = Rich::upright("=\u{a0}17.92\u{a0}cm").width(3.5);
+        let mut broken = 0;
+        for width in 0..80 {
+            let lines = text.wrap(3.5, least + f64::from(width));
+            let ends = lines.iter().filter(|line| line.plain().trim_end().ends_with('='));
+            assert_eq!(ends.count(), 0, "{width}: {lines:?}");
+            broken += lines.iter().filter(|line| line.plain().starts_with('=')).count();
+        }
+        assert!(broken > 0);
     }
 
     #[test]
