@@ -189,8 +189,12 @@ impl Teller<'_> {
         const ROUNDED: f64 = 1e-9;
         let unit = self.n.scene.units.length.si;
         let least = ROUNDED * x.abs().max(y.abs());
-        let number = |si: f64| human::stated(if si.abs() < least { 0.0 } else { si / unit });
-        Rich::upright("(").then(&number(x)).up(";\u{a0}").then(&number(y)).up(")")
+        let [x, y] = [x, y].map(|si| if si.abs() < least { 0.0 } else { si / unit });
+        Rich::upright("(")
+            .then(&human::stated_beside(x, y))
+            .up(";\u{a0}")
+            .then(&human::stated_beside(y, x))
+            .up(")")
     }
 
     fn place(&self, x: f64, y: f64) -> Rich {

@@ -175,6 +175,24 @@ pub fn stated(value: f64) -> Rich {
     figures(value, 6, true)
 }
 
+/// A stated coordinate beside another: a small one has its decimals, and no power of ten, where the other has none.
+#[must_use]
+pub fn stated_beside(value: f64, other: f64) -> Rich {
+    /// No more decimals are written out.
+    const MOST: usize = 9;
+    let exponent = |own: f64| libm::floor(libm::log10(own.abs()));
+    let plain = other == 0.0 || (-3.0..6.0).contains(&exponent(other));
+    let small = value != 0.0 && exponent(value) < -3.0 && plain;
+    let decimals = (5.0 - exponent(value)).clamp(0.0, MOST as f64) as usize;
+    let text = fixed(value, decimals);
+    // What would lose figures keeps its power.
+    let whole: f64 = text.replace('−', "-").parse().unwrap_or(0.0);
+    if small && (whole - value).abs() <= 1e-6 * value.abs() {
+        return Rich::upright(text.trim_end_matches('0'));
+    }
+    stated(value)
+}
+
 /// A reading on paper: tenths of a millimetre.
 #[must_use]
 pub fn millimetres(value: f64) -> Rich {
@@ -337,6 +355,13 @@ mod tests {
         assert_eq!(plain(&stated(15.0)), "15");
         assert_eq!(plain(&stated(37.5)), "37.5");
         assert_eq!(plain(&stated(0.15 / 0.01)), "15");
+        assert_eq!(plain(&stated_beside(-0.0004, 0.1916)), "−0.0004");
+        assert_eq!(plain(&stated_beside(-0.000_632_138, -0.185_723)), "−0.000632138");
+        assert_eq!(plain(&stated_beside(0.1916, -0.0004)), "0.1916");
+        assert_eq!(plain(&stated_beside(0.0, 5.0)), "0");
+        assert_eq!(plain(&stated_beside(-0.0004, 0.0)), "−0.0004");
+        assert_eq!(plain(&stated_beside(2.5e-8, 3e-8)), "2.5\u{a0}×\u{a0}10−8");
+        assert_eq!(plain(&stated_beside(1.2345e-7, 0.5)), "1.2345\u{a0}×\u{a0}10−7");
     }
 
     #[test]
