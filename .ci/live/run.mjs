@@ -33,9 +33,21 @@ const browser = await puppeteer.launch({
 });
 
 const trouble = [];
-/** A page of its own. `atOnce`: a frame comes as soon as it is asked for, so that a thousand positions take seconds. */
-async function open(file, { width = 1300, height = 1000, hash = '', script = true, atOnce = false } = {}) {
+/** A page of its own. `atOnce`: a frame comes as soon as it is asked for, so that a thousand positions take seconds. `timed`: what
+ * the script does for each frame is timed, in `frameTimes`. */
+async function open(file, { width = 1300, height = 1000, hash = '', script = true, atOnce = false, timed = false } = {}) {
   const page = await browser.newPage();
+  if (timed) {
+    await page.evaluateOnNewDocument(() => {
+      window.frameTimes = [];
+      const own = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (does) => own((now) => {
+        const begun = performance.now();
+        does(now);
+        window.frameTimes.push(performance.now() - begun);
+      });
+    });
+  }
   if (atOnce) {
     await page.evaluateOnNewDocument(() => {
       window.requestAnimationFrame = (does) => {
@@ -277,6 +289,51 @@ test('mouse, keys, field and play', async () => {
   await page.keyboard.press(' ');
   const way = ((await at() - before) % 360 + 360) % 360, fair = 60 * (Date.now() - begun) / 1000;
   assert.ok(way > 0.4 * fair && way < 1.2 * fair, `${way} in ${fair}`);
+  await page.close();
+});
+
+test('what is out of sight follows at rest, and as soon as it is seen', async () => {
+  const page = await open(fourPage, { width: 390, height: 844 });
+  /** All that is told and drawn. */
+  const shown = () => page.evaluate(() => new Promise((done) => {
+    requestAnimationFrame(() => requestAnimationFrame(() => done([...document.querySelectorAll('#stage svg *')].map((ink) =>
+      ['d', 'transform', 'cx', 'cy', 'visibility', 'data-value'].map((key) => ink.getAttribute(key)).join()).join('\n') + document.getElementById('live').textContent)));
+  }));
+  /** The same drawn anew in this position: to the other scale and back. */
+  const again = async () => {
+    await page.keyboard.press('s');
+    await page.keyboard.press('s');
+    return shown();
+  };
+  const table = () => page.evaluate(() => document.getElementById('values').textContent);
+  const still = await table();
+  await page.keyboard.press(' ');
+  await rest(500);
+  assert.equal(await table(), still, 'nobody sees the table');
+  await page.evaluate(() => document.getElementById('values').scrollIntoView());
+  await rest(200);
+  assert.notEqual(await table(), still);
+  await page.evaluate(() => scrollTo(0, 0));
+  await rest(200);
+  await page.keyboard.press(' ');
+  assert.equal(await shown(), await again());
+  const before = await table();
+  const [x, y] = await page.evaluate(() => { const box = document.querySelector('.grip').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 9, y + 7, { steps: 5 });
+  await rest(60);
+  assert.equal(await table(), before);
+  await page.mouse.up();
+  const after = await shown();
+  assert.notEqual(await table(), before);
+  assert.equal(after, await again());
+  // What is given away while it plays is of the position, seen or not.
+  await page.keyboard.press(' ');
+  await rest(300);
+  const old = await table();
+  assert.ok((await given(page, 'save')).includes('data-at="'));
+  assert.notEqual(await table(), old);
   await page.close();
 });
 
@@ -829,21 +886,20 @@ test('size and speed', async () => {
   assert.ok(script <= 78_000, `script ${script}`);
   assert.ok(sizes[0] <= 290_000, `six-link ${sizes[0]}`);
   assert.ok(sizes[1] <= 450_000, `eight-link ${sizes[1]}`);
-  const page = await open(six);
-  const times = await page.evaluate(async () => {
-    const slide = document.getElementById('at'), all = [];
-    const span = Number(slide.max) - Number(slide.min);
-    for (let i = 0; i < 120; i++) {
-      slide.value = String(Number(slide.min) + span * ((i * 37) % 120) / 120);
-      slide.dispatchEvent(new Event('input'));
-      // The page draws in its own frame; this callback comes after it.
-      const begun = await new Promise((done) => { requestAnimationFrame(() => done(performance.now())); });
-      all.push(performance.now() - begun);
-    }
-    return all.sort((a, b) => a - b);
-  });
+  // While it plays in the window of a phone, with two paths.
+  const page = await open(six, { width: 390, height: 844, timed: true });
+  await page.evaluate(() => { for (const box of [...document.querySelectorAll('.traces label input:not(:checked)')].slice(-2)) box.click(); });
+  await rest(600);
+  await page.keyboard.press(' ');
+  await page.evaluate(() => { window.frameTimes.length = 0; });
+  await rest(3000);
+  await page.keyboard.press(' ');
+  const times = (await page.evaluate(() => window.frameTimes)).sort((a, b) => a - b);
   await page.close();
-  return `six-link ${sizes[0]} bytes, eight-link ${sizes[1]} bytes, script ${script} bytes, frame p95 ${times[113].toFixed(1)} ms`;
+  const [middle, most] = [0.5, 0.95].map((part) => times[Math.floor(part * times.length)]);
+  // Of 95 of 100 frames on a machine at rest; the middle holds on one that has other work, too.
+  assert.ok(middle <= 2, `a frame takes ${middle} ms`);
+  return `six-link ${sizes[0]} bytes, eight-link ${sizes[1]} bytes, script ${script} bytes; of ${times.length} frames the script takes ${middle.toFixed(1)} ms, ${most.toFixed(1)} at 95 of 100`;
 });
 
 let failed = 0;

@@ -105,7 +105,8 @@ const ENGLISH: Words = Words {
                 position. Page Up, Page Down: what happens next. Space: play and stop. [ and ]: a step back and on. \
                 S: scale. D: diagram. F: full window. ?: this help. Esc: let go. No key works while a field is being \
                 filled in.",
-    moving_page: "Drag a joint, or the slider. Everything is the drawing itself at that position.",
+    moving_page: "Drag a joint, or the slider. Everything is the drawing itself at that position; what is out of \
+                  sight follows at rest.",
     seconds_a_turn: "Seconds for the course",
     copied: "Copied",
     answer: "Answers",
@@ -186,7 +187,7 @@ const ARABIC: Words = Words {
     close: "إغلاق",
     help_keys: "← و →: 1°، مع Shift 10°، مع Alt 0.1°. Home: الوضع المعطى. Page Up و Page Down: الحدث التالي. المسافة: \
                 تشغيل وإيقاف. [ و ]: خطوة. S: المقياس. D: المنحنى. F: ملء النافذة. ?: المساعدة. Esc: ترك.",
-    moving_page: "اسحب مفصلاً أو المنزلق. كل ما يظهر هو الرسم نفسه في ذلك الوضع.",
+    moving_page: "اسحب مفصلاً أو المنزلق. كل ما يظهر هو الرسم نفسه في ذلك الوضع، وما لا يُرى يلحق عند التوقف.",
     seconds_a_turn: "ثوانٍ للحركة كلها",
     copied: "نُسخ",
     answer: "الإجابات",
@@ -267,7 +268,7 @@ const PERSIAN: Words = Words {
     close: "بستن",
     help_keys: "← و →: 1°، با Shift 10°، با Alt 0.1°. Home: وضعیت داده‌شده. Page Up و Page Down: رویداد بعدی. فاصله: \
                 پخش و توقف. [ و ]: یک گام. S: مقیاس. D: نمودار. F: تمام پنجره. ?: راهنما. Esc: رها کردن.",
-    moving_page: "یک مفصل یا لغزنده را بکشید. هر چه می‌بینید خود ترسیم در آن وضعیت است.",
+    moving_page: "یک مفصل یا لغزنده را بکشید. هر چه می‌بینید خود ترسیم در آن وضعیت است؛ آنچه پیدا نیست هنگام ایستادن به‌روز می‌شود.",
     seconds_a_turn: "ثانیه برای همهٔ مسیر",
     copied: "رونوشت شد",
     answer: "پاسخ‌ها",

@@ -79,6 +79,7 @@ function begin() {
   byId('live').hidden = false;
   byId('sheet').open = false;
   page.draw();
+  on(window, 'beforeprint', () => page.draw(true));
   on(window, 'hashchange', () => {
     followAddress(page);
     page.speak(page.language);

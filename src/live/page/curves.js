@@ -34,7 +34,7 @@ function diagramPlace(page, travel) {
   const span = make('p', { dir: 'ltr' }), place = make('div', { class: 'plot', dir: 'ltr' });
   const diagram = new CurveDiagram(course, travel.wish);
   place.append(diagram.svg, diagram.numbers);
-  page.add({ show: () => diagram.show(page.at) });
+  page.add({ box: place, show: () => diagram.show(page.at) });
 
   function show(/** @type {number} */ index, /** @type {number} */ axis) {
     const quantity = rows[index], symbol = page.symbolOf(quantity.name);

@@ -22,17 +22,14 @@ function showDiagrams(page) {
 
   /** The least angle at which two lines of a panel meet that lead to one place. @param {Panel} panel */
   function flattest(panel) {
-    const rays = panel.ink.filter((ink) => ink.move === 'ray' && ink.element.getAttribute('visibility') !== 'hidden');
-    let least = Math.PI / 2;
-    rays.forEach((one, i) => {
-      for (const other of rays.slice(i + 1)) {
-        if (one.at[1] !== other.at[1] || one.step !== other.step) continue;
-        const [a, b] = [one, other].map((ink) => minus(panel.now[ink.at[1]], panel.now[ink.at[0]]));
-        const size = sizeOf(a) * sizeOf(b);
-        if (size > 0) least = Math.min(least, Math.asin(Math.min(1, Math.abs(a.x * b.y - a.y * b.x) / size)));
-      }
-    });
-    return least;
+    let least = 1;
+    for (const [one, other] of panel.crossings) {
+      if (!one.element.isShown || !other.element.isShown) continue;
+      const [a, b] = [one, other].map((ink) => minus(panel.now[ink.at[1]], panel.now[ink.at[0]]));
+      const size = sizeOf(a) * sizeOf(b);
+      if (size > 0) least = Math.min(least, Math.abs(a.x * b.y - a.y * b.x) / size);
+    }
+    return Math.asin(least);
   }
 
   /** Where vectors leave a panel, by its index: arrows at its border. */
@@ -43,7 +40,7 @@ function showDiagrams(page) {
     const [x0, y0, x1, y1] = panel.data.box, said = [];
     let arrows = '';
     for (const ink of panel.ink) {
-      if (ink.move !== 'vector' || !live.quantities[ink.quantity] || ink.element.getAttribute('visibility') === 'hidden') continue;
+      if (ink.move !== 'vector' || !live.quantities[ink.quantity] || !ink.element.isShown) continue;
       const [a, b] = ink.at.map((/** @type {number} */ i) => panel.now[i]);
       if (!a || !b || (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1)) continue;
       const d = minus(b, a), length = sizeOf(d), name = lineText(page.symbolOf(ink.quantity));
@@ -63,28 +60,37 @@ function showDiagrams(page) {
     return count === 0 ? '' : filled(count === 1 ? one : several, { count: String(count) });
   }
 
+  const boxes = panels.map(({ index }) => byId(`figure${index}`));
+  for (const box of boxes) page.watch.observe(box);
+
+  /** What stands below each panel, and the scale that it was last told with. */
+  const below = panels.map(({ index }) => ({ scale: byId(`scale${index}`), beyond: byId(`beyond${index}`), told: 0 }));
+
   page.add({
     show() {
       for (const panel of panels) {
-        const { data, index } = panel;
+        const { data, index } = panel, own = below[index];
+        if (!page.isDue(boxes[index])) continue;
         panel.siPerMm = refitted(panel);
         panel.calm = calm.matches;
         panel.angle = variable.kind === 'angle' ? page.at : undefined;
-        panel.show(page.outputs, page.at, page.step > page.last ? Infinity : page.step, page.isOwn);
-        if (data.polygon) {
+        panel.show(page.outputs, page.at, page.step > page.last ? Infinity : page.step, page.isOwn, page.isWhole);
+        if (data.polygon && own.told !== panel.siPerMm) {
+          own.told = panel.siPerMm;
           const value = withUnit(plainText(stated(panel.siPerMm * 10 / data.unit)), data.unit_symbol);
-          setText(byId(`scale${index}`), filled(page.text.scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
+          setText(own.scale, filled(page.text.scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
         }
         const { no_room: names, no_room_one: name, not_moving: strokes, not_moving_one: stroke } = page.words;
         const still = page.isOwn ? 0 : data.still;
-        setText(byId(`beyond${index}`), [data.polygon ? beyond(panel) : said(still, strokes, stroke), said(panel.crowded, names, name)].filter(Boolean).join(' · '));
+        setText(own.beyond, [data.polygon ? beyond(panel) : said(still, strokes, stroke), said(panel.crowded, names, name)].filter(Boolean).join(' · '));
       }
     },
     speak() {
       const { panels: titles, scales } = page.text;
       titles.forEach((/** @type {string} */ title, /** @type {number} */ i) => {
         setRich(byId(`title${i}`), title);
-        setRich(byId(`scale${i}`), scales[i]);
+        setRich(below[i].scale, scales[i]);
+        below[i].told = 0;
       });
     },
   });

@@ -31,8 +31,6 @@ function handLeads(page, halt) {
   const layer = makeInk('g', { class: 'grips' });
   /** @type {{place: number, grip: any}[]} */
   const grips = [];
-  /** @type {{frame: number[], reach: any}[]} */
-  const reaches = [];
   const most = variable.kind === 'angle' ? Math.PI / 6 : page.span / 12;
 
   /** Ink that is held leads the input to where the point that was taken comes nearest to the pointer. */
@@ -48,6 +46,7 @@ function handLeads(page, halt) {
       const spot = at && spotAt(at);
       if (!spot || !spot[1]) return;
       held = { pointer: event.pointerId, spot, beyond: [] };
+      page.isHeld = true;
       element.setPointerCapture(event.pointerId);
       halt();
       event.preventDefault();
@@ -80,7 +79,7 @@ function handLeads(page, halt) {
     if (held === free) return;
     held = free;
     page.stopped = false;
-    page.queue();
+    page.rests();
   }
 
   svg.append(layer, stop, way);
@@ -91,16 +90,12 @@ function handLeads(page, halt) {
     grips.push({ place, grip });
     hold(grip, (at) => [[1, place], localOf([1, place], at, skeleton.now)]);
   });
-  // A stroke between two places is thin: beside it is as good, and any other ink by itself.
-  for (const ink of skeleton.ink) {
-    if (ink.move !== 'whole') continue;
-    const frame = ink.at, local = (/** @type {any} */ at) => [frame, localOf(frame, at, skeleton.now)];
-    hold(ink.element, local);
-    if (frame[0] !== 2 || !ink.element.querySelector('.bar')) continue;
-    const reach = makeInk('path', { class: 'reach', 'data-link': ink.element.dataset.link || '' });
-    reaches.push({ frame, reach });
-    hold(reach, local);
-    layer.before(reach);
+  // Ink leads by itself. A stroke between two places is thin: beside it is as good, and what makes it wide goes with it.
+  for (const { move, at: frame, element } of skeleton.ink) {
+    if (move !== 'whole') continue;
+    hold(element, (at) => [frame, localOf(frame, at, skeleton.now)]);
+    const [a, b] = frame.slice(1).map((/** @type {number} */ place) => skeleton.home[place]);
+    if (frame[0] === 2 && a && b && element.querySelector('.bar')) element.append(makeInk('path', { class: 'reach', d: `M${pair(a)} L${pair(b)}` }));
   }
   document.addEventListener('pointerdown', (event) => {
     page.dragged = false;
@@ -108,16 +103,12 @@ function handLeads(page, halt) {
   }, true);
 
   const put = (/** @type {Element} */ circle, /** @type {any} */ at) => {
-    if (at) having(circle, { cx: mm(at.x), cy: mm(at.y) });
+    if (at) circle.setAttribute('transform', `translate(${pair(at)})`);
   };
   page.add({
     show() {
       const { now } = skeleton;
       for (const { place, grip } of grips) put(grip, now[place]);
-      for (const { frame, reach } of reaches) {
-        const [, a, b] = frame;
-        if (now[a] && now[b]) reach.setAttribute('d', `M${pair(now[a])} L${pair(now[b])}`);
-      }
       // A limit is marked where the hand holds the mechanism, or at a joint.
       const spot = held.spot ? globalOf(held.spot[0], held.spot[1], now) : grips[0] && now[grips[0].place];
       const beyond = spot ? held.beyond : [];

@@ -57,6 +57,11 @@ function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
 
 /** A point of a frame on the page. */
 function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /** @type {any[]} */ seen) {
+  if (frame[0] === 1) {
+    // Most names and strokes stand beside a place.
+    const at = seen[frame[1]];
+    return at ? { x: at.x + own[0], y: at.y + own[1] } : null;
+  }
   const axes = axesOf(frame, seen);
   if (!axes) return null;
   const { o, x } = axes;
@@ -80,7 +85,7 @@ function uncoded(text) {
 
 /** Ink of one stroke, drawn so. @param {any} ink @param {string} path */
 function stroked(ink, path) {
-  ink.element.querySelector('path').setAttribute('d', path);
+  ink.paths[0].setAttribute('d', path);
   return true;
 }
 
@@ -133,28 +138,38 @@ class Panel {
   begin(outputs) {
     this.home = this.seen(outputs);
     for (const ink of this.ink) {
-      if (ink.move === 'strokes') ink.paths = [...ink.element.querySelectorAll('path')];
+      ink.paths = [...ink.element.querySelectorAll('path')];
+      ink.tells = Boolean(ink.element.dataset.value);
+      if (ink.move === 'whole') ink.home = axesOf(ink.at, this.home);
+      if (ink.move === 'mark') ink.home = globalOf(ink.at[0], ink.at[1], this.home);
       if (ink.move === 'vector' || ink.move === 'arrow') {
         const part = (/** @type {string} */ selector, /** @type {any} */ ...made) => ink.element.querySelector(selector) || ink.element.appendChild(makeInk(...made));
         ink.shaft = part('.shaft', 'path', { class: 'shaft', fill: 'none', stroke: '#000000', 'stroke-width': '0.25' });
         ink.head = part('.head', 'path', { class: 'head', fill: '#000000' });
         ink.dot = part('circle', 'circle', { r: '0.55', fill: '#000000' });
-        ink.width = Number(ink.shaft.getAttribute('stroke-width'));
+        ink.width = ink.wide = Number(ink.shaft.getAttribute('stroke-width'));
       }
     }
+    // Lines of one step that lead to one place: where they cross too flat it is badly found.
+    const rays = this.ink.filter((ink) => ink.move === 'ray');
+    /** @type {any[][]} */
+    this.crossings = rays.flatMap((one, i) => rays.slice(i + 1)
+      .filter((other) => one.at[1] === other.at[1] && one.step === other.step).map((other) => [one, other]));
   }
 
-  /** Moves everything. @param {(number | null)[]} outputs @param {number} at @param {number} step @param {boolean} own */
-  show(outputs, at, step, own) {
+  /** Moves everything. What the ink tells besides is told where it comes to rest. */
+  show(/** @type {(number | null)[]} */ outputs, /** @type {number} */ at, /** @type {number} */ step, /** @type {boolean} */ own, /** @type {boolean} */ rests) {
     const seen = this.seen(outputs);
     this.now = seen;
     for (const ink of this.ink) {
       const wanted = this.senseHolds(ink, outputs) && (ink.step === undefined || ink.step <= step) && (ink.move !== 'still' || own);
       const drawn = wanted && this.move(ink, seen);
       visible(ink.element, drawn);
-      ink.element.classList.toggle('fresh', drawn && ink.step === step);
+      const isFresh = drawn && ink.step === step;
+      if (isFresh !== ink.isFresh) ink.element.classList.toggle('fresh', isFresh);
+      ink.isFresh = isFresh;
       // What is read off the ink is that of this position.
-      if (drawn && ink.element.dataset.value) {
+      if (drawn && ink.tells && rests) {
         const own = this.quantities[ink.quantity];
         if (ink.move === 'vector') {
           const [a, b] = ink.at.map((/** @type {number} */ i) => seen[i]);
@@ -201,9 +216,9 @@ class Panel {
       case 'through': return this.moveThrough(ink, seen);
       case 'round': return this.moveRound(ink, seen);
       case 'mark': {
-        const at = globalOf(ink.at[0], ink.at[1], seen), from = globalOf(ink.at[0], ink.at[1], this.home || seen);
-        if (!at || !from) return false;
-        ink.element.setAttribute('transform', `translate(${pair(minus(at, from))})`);
+        const at = globalOf(ink.at[0], ink.at[1], seen);
+        if (!at || !ink.home) return false;
+        ink.element.setAttribute('transform', `translate(${pair(minus(at, ink.home))})`);
         return true;
       }
       case 'turn': return this.moveTurn(ink, seen[ink.at[0]]);
@@ -213,13 +228,13 @@ class Panel {
 
   /** One transform for a group. @param {any} ink @param {any[]} seen */
   moveWhole(ink, seen) {
-    const from = axesOf(ink.at, this.home || seen), to = axesOf(ink.at, seen);
+    const from = ink.home, to = axesOf(ink.at, seen);
     if (!from || !to) return false;
     const n = from.x.x * from.x.x + from.x.y * from.x.y;
     const c = (to.x.x * from.x.x + to.x.y * from.x.y) / n, s = (to.x.y * from.x.x - to.x.x * from.x.y) / n;
     const e = to.o.x - (c * from.o.x - s * from.o.y), f = to.o.y - (s * from.o.x + c * from.o.y);
-    const turned = ink.at[0] !== 1;
-    const text = turned ? `matrix(${[c, s, -s, c].map((x) => mm(x * 1e3) / 1e3 || 0).join(' ')} ${mm(e)} ${mm(f)})` : `translate(${mm(e)} ${mm(f)})`;
+    const cosine = Math.round(c * 1e9) / 1e9, sine = Math.round(s * 1e9) / 1e9;
+    const text = ink.at[0] === 1 ? `translate(${mm(e)} ${mm(f)})` : `matrix(${cosine} ${sine} ${-sine} ${cosine} ${mm(e)} ${mm(f)})`;
     if (text !== ink.last) ink.element.setAttribute('transform', text);
     ink.last = text;
     return true;
@@ -233,10 +248,13 @@ class Panel {
     visible(ink.dot, short);
     visible(ink.shaft, !short);
     visible(ink.head, !short);
-    having(ink.dot, { cx: mm(b.x), cy: mm(b.y) });
+    if (short) having(ink.dot, { cx: mm(b.x), cy: mm(b.y) });
+    // Drawn all the same: what is copied is measured by its shaft.
     const u = { x: d.x / (length || 1), y: d.y / (length || 1) };
-    const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3);
-    having(ink.shaft, { d: `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`, 'stroke-width': mm(Math.min(ink.width, head / 4)) });
+    const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3), wide = Math.min(ink.width, head / 4);
+    ink.shaft.setAttribute('d', `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`);
+    if (wide !== ink.wide) ink.shaft.setAttribute('stroke-width', mm(wide));
+    ink.wide = wide;
     ink.head.setAttribute('d', headOf(b, u, head));
     return true;
   }
@@ -247,7 +265,7 @@ class Panel {
     const radius = ink.at[1];
     const turn = this.angle - 2 * Math.PI * Math.trunc(this.angle / (2 * Math.PI));
     if (Math.abs(turn) * radius < 1.5) return false;
-    const paths = ink.element.querySelectorAll('path');
+    const { paths } = ink;
     const size = Math.min(2.25, radius * Math.abs(turn) / 2), span = size / radius, sign = Math.sign(turn);
     const at = (/** @type {number} */ angle) => ({ x: centre.x + radius * Math.cos(angle), y: centre.y - radius * Math.sin(angle) });
     const end = turn - sign * span * 0.8;
@@ -262,7 +280,7 @@ class Panel {
   /** Puts the names where they were placed in advance. Where a diagram is so small that one would stand in another, the
    * later one is left out, and counted. */
   place(/** @type {any[]} */ seen, /** @type {number} */ at, /** @type {number} */ step, /** @type {(number | null)[]} */ outputs) {
-    const { frames } = this;
+    const { frames, data: { box: [x0, y0, x1, y1], polygon } } = this;
     // The frames about the place, and how far it is between them.
     let low = 0, next = frames.length - 1;
     while (next - low > 1) {
@@ -276,35 +294,37 @@ class Panel {
     const stand = [];
     this.crowded = 0;
     for (const label of this.labels) {
-      const ends = label.anchors.map((/** @type {any} */ a) => globalOf(a[0], a[1], seen));
-      let shown = !ends.includes(null) && (label.step === null || label.step <= step)
-        && (label.output === undefined || Boolean(outputs[label.output]));
-      const [x0, y0, x1, y1] = this.data.box;
-      if (shown && ends.length === 1) shown = ends[0].x > x0 && ends[0].x < x1 && ends[0].y > y0 && ends[0].y < y1;
-      if (shown && ends.length === 2 && this.data.polygon) shown = sizeOf(minus(ends[1], ends[0])) >= 4;
-      visible(label.element, shown);
+      const { anchors: [one, two], by, element, half: [wide, high] } = label;
+      const a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
+      let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || Boolean(outputs[label.output]));
+      if (shown && !two) shown = a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
+      if (shown && two && polygon) shown = sizeOf(minus(b, a)) >= 4;
       label.spot = null;
-      if (!shown) continue;
-      const middle = ends.length === 2 ? plus(ends[0], minus(ends[1], ends[0]), 0.5) : ends[0];
-      const by = [0, 1].map((axis) => (label.by[2 * low + axis] * (1 - part) + label.by[2 * next + axis] * part) / 10);
-      const x = middle.x + by[0], y = middle.y + by[1], [wide, high] = label.half;
-      if (stand.some((other) => wide + other[2] - Math.abs(x - other[0]) > 0 && high + other[3] - Math.abs(y - other[1]) > 0)) {
-        visible(label.element, false);
+      if (!shown) {
+        visible(element, false);
+        continue;
+      }
+      const middle = two ? plus(a, minus(b, a), 0.5) : a;
+      const x = middle.x + (by[2 * low] * (1 - part) + by[2 * next] * part) / 10, y = middle.y + (by[2 * low + 1] * (1 - part) + by[2 * next + 1] * part) / 10;
+      const isFree = !stand.some((other) => wide + other[2] - Math.abs(x - other[0]) > 0 && high + other[3] - Math.abs(y - other[1]) > 0);
+      visible(element, isFree);
+      if (!isFree) {
         this.crowded += 1;
         continue;
       }
       stand.push([x, y, wide, high]);
       label.spot = [{ x, y }, middle];
       const text = `translate(${x.toFixed(3)} ${y.toFixed(3)})`;
-      if (text !== label.last) label.element.setAttribute('transform', text);
+      if (text !== label.last) element.setAttribute('transform', text);
       label.last = text;
     }
   }
 }
 
-/** Shows or hides, where that changes anything. @param {Element} element @param {boolean} shown */
+/** Shows or hides, where that changes anything: an element remembers, since to read it off costs more. @param {any} element @param {boolean} shown */
 function visible(element, shown) {
-  if ((element.getAttribute('visibility') !== 'hidden') === shown) return;
+  if (element.isShown === shown) return;
+  element.isShown = shown;
   if (shown) element.removeAttribute('visibility');
   else element.setAttribute('visibility', 'hidden');
 }

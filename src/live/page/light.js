@@ -83,7 +83,7 @@ function highlights(page) {
       let least = (event.pointerType === 'touch' ? 18 : 6) / matrix.a, nearest = null;
       for (const ink of panel.ink) {
         const [a, b] = ink.move === 'vector' ? ink.at.map((/** @type {number} */ i) => panel.now[i]) : [];
-        if (!a || !b || !live.quantities[ink.quantity] || ink.element.getAttribute('visibility') === 'hidden') continue;
+        if (!a || !b || !live.quantities[ink.quantity] || !ink.element.isShown) continue;
         const off = offStroke(at, a, b);
         if (off < least) [least, nearest] = [off, ink.quantity];
       }

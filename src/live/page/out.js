@@ -22,6 +22,7 @@ function leaders(panel) {
 
 /** One drawing, the panels below each other. @param {Page} page */
 function drawings(page) {
+  page.draw(true);
   const all = makeInk('svg', { 'stroke-linejoin': 'round', 'font-family': page.panels[0].svg.getAttribute('font-family') || '' });
   let down = 0, across = 0;
   for (const panel of page.panels) {

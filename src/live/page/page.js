@@ -1,6 +1,7 @@
 // What the parts of the page share: the position, the step and the choices, and how a change of them is shown.
 
-/** A part of the page makes its elements once; `show` follows the position, `speak` the language. @typedef {{show?: () => void, speak?: () => void}} Part */
+/** A part of the page makes its elements once; `show` follows the position, `speak` the language. What is in a `box` waits while that
+ * is out of sight and something moves. @typedef {{show?: () => void, speak?: () => void, box?: Element}} Part */
 
 class Page {
   /** @param {any} live */
@@ -31,6 +32,17 @@ class Page {
 
     // What goes on: none of it is in the picture.
     this.playing = false;
+    /** A hand leads the input. */
+    this.isHeld = false;
+    /** Boxes out of sight. @type {Set<Element>} */
+    this.unseen = new Set();
+    this.watch = new IntersectionObserver((all) => {
+      for (const { target, isIntersecting } of all) {
+        if (isIntersecting) this.unseen.delete(target); else this.unseen.add(target);
+      }
+      // What comes into sight is as the position is, though the hand that moves it may stand still.
+      if (this.isHeld) this.queue();
+    });
     /** The input goes no further. */
     this.stopped = false;
     /** The hand has moved what it took: letting go is no click. */
@@ -46,6 +58,7 @@ class Page {
   /** @template {Part} P @param {P} part */
   add(part) {
     this.parts.push(part);
+    if (part.box) this.watch.observe(part.box);
     return part;
   }
 
@@ -120,12 +133,32 @@ class Page {
     });
   }
 
-  draw() {
+  /** Whether something goes on, so that what nobody sees waits: at rest everything is of the position. */
+  get isMoving() {
+    return this.playing || this.isHeld;
+  }
+
+  /** The hand lets go. */
+  rests() {
+    if (!this.isHeld) return;
+    this.isHeld = false;
+    this.queue();
+  }
+
+  draw(whole = !this.isMoving) {
     const found = this.course.look(this.at), { range, start } = this.variable;
     if (!found) return;
     this.outputs = found;
     this.isOwn = Math.abs(this.at - start) <= 1e-12 * (Math.abs(range[0]) + Math.abs(range[1]));
-    for (const part of this.parts) part.show?.();
+    this.isWhole = whole;
+    for (const part of this.parts) {
+      if (part.show && this.isDue(part.box)) part.show();
+    }
+  }
+
+  /** Whether what is in a box is shown anew. @param {Element | undefined} box */
+  isDue(box) {
+    return this.isWhole || !box || !this.unseen.has(box);
   }
 
   /** An angle beyond the range, where the range is a whole turn. @param {number} at */

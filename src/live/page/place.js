@@ -35,6 +35,8 @@ function showsPlace(page, travel, pinnedText, panelText) {
   let last = '';
 
   on(slider, 'input', () => travel.wish(Number(slider.value)));
+  on(slider, 'pointerdown', () => { page.isHeld = true; });
+  on(slider, 'change pointerup pointercancel', () => page.rests());
   on(field, 'change', () => {
     const text = field.value.trim(), value = typedInput(text, page.variable);
     field.setAttribute('aria-invalid', String(!Number.isFinite(value)));
@@ -50,12 +52,12 @@ function showsPlace(page, travel, pinnedText, panelText) {
 
   page.add({
     show() {
-      const text = `${page.inUnit(page.at)}${pinnedText()}`, said = `${page.inputName()} = ${withUnit(page.exact(), page.unitSign())}`;
+      const exact = page.exact(), text = `${page.inUnit(page.at)}${pinnedText()}`, said = `${page.inputName()} = ${withUnit(exact, page.unitSign())}`;
       slider.value = String(page.at);
-      slider.setAttribute('aria-valuetext', text);
-      if (document.activeElement !== field) field.value = page.exact();
-      if (said !== last) setRich(here, said);
-      last = said;
+      if (text !== last) slider.setAttribute('aria-valuetext', text);
+      last = text;
+      if (document.activeElement !== field) field.value = exact;
+      setRich(here, said);
       if (page.playing) return;
       // Half a second after rest, never while it plays.
       clearTimeout(resting);

@@ -72,7 +72,7 @@ function showsSteps(page, light) {
   on(slider, 'input', () => to(Number(slider.value)));
   /** Quantities of the step. @type {{quantity: any, value: Element, sense: Element}[]} */
   let values = [];
-  /** Texts with numbers of the position. @type {{element: Element, text: any, last: string}[]} */
+  /** Texts with numbers of the position. @type {{element: Element, text: any}[]} */
   let texts = [];
 
   /** @param {number} step */
@@ -88,7 +88,7 @@ function showsSteps(page, light) {
     return element;
   };
   const living = (/** @type {any} */ element, /** @type {any} */ text) => {
-    texts.push({ element, text, last: '' });
+    texts.push({ element, text });
     return element;
   };
 
@@ -163,10 +163,9 @@ function showsSteps(page, light) {
     const { words } = page;
     let left = 0;
     for (const one of texts) {
-      const said = textHere(one.text), now = said === null ? '…' : said;
+      const said = textHere(one.text);
       if (said === null) left += 1;
-      if (now !== one.last || now === '') setRich(one.element, now);
-      one.last = now;
+      setRich(one.element, said === null ? '…' : said);
     }
     setText(note, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
     for (const { quantity, value, sense } of values) {
@@ -176,6 +175,6 @@ function showsSteps(page, light) {
     }
   }
 
-  page.add({ show, speak });
+  page.add({ box, show, speak });
   return { box, printed, to };
 }

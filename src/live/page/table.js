@@ -13,21 +13,19 @@ function showsValues(page, light) {
     light.listen(row, quantity.name);
     on(name, 'click', () => light.pin(quantity.name));
     const panel = page.panels.find((/** @type {Panel} */ one) => one.ink.some((ink) => ink.move === 'vector' && ink.quantity === quantity.name));
-    return { quantity, name, value, sense, paper, panel, last: '' };
+    return { quantity, name, value, sense, paper, panel };
   });
 
   const inWords = (/** @type {any} */ row) => `; ${[row.name, '=', row.value, row.sense].map((one) => one.textContent ?? one).join(' ')}`;
 
   page.add({
+    box: scroll,
     show() {
       for (const row of rows) {
         const said = told(row.quantity, page);
-        const paper = row.panel ? paperText(page, row.quantity, row.panel.siPerMm) : '', key = `${said.value}|${said.sense}|${paper}`;
-        if (key === row.last) continue;
-        row.last = key;
         setRich(row.value, said.value);
         setRich(row.sense, said.sense);
-        setRich(row.paper, paper);
+        if (row.panel) setRich(row.paper, paperText(page, row.quantity, row.panel.siPerMm));
       }
     },
     speak() {

@@ -7,22 +7,34 @@ function unescaped(text) {
   return text.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
 }
 
-/** Puts a run of text with <i>, <sub>, <sup> and three entities into an element, in the place of what was there. */
-function setRich(/** @type {Element} */ into, /** @type {string} */ text) {
+/** Puts a run of text with <i>, <sub>, <sup> and three entities into an element, in the place of what was there. Where only
+ * what stands between them is other than before, their elements stay. @param {any} into @param {string} text */
+function setRich(into, text) {
+  if (into.rich === text) return;
+  const parts = text.includes('<') ? text.split(/(<\/?(?:i|b|sub|sup)>)/) : [text], tags = parts.filter((_, i) => i % 2).join('');
+  const isSame = into.rich !== undefined && into.tags === tags;
+  into.rich = text;
+  into.tags = tags;
+  if (isSame) {
+    into.runs.forEach((/** @type {Text} */ run, /** @type {number} */ i) => { run.data = unescaped(parts[2 * i]); });
+    return;
+  }
   into.replaceChildren();
+  into.runs = [];
   const open = [into];
-  for (const part of text.split(/(<\/?(?:i|b|sub|sup)>)/)) {
-    const tag = /^<(\/?)(i|b|sub|sup)>$/.exec(part);
-    if (!tag) {
-      if (part) open[open.length - 1].append(unescaped(part));
-    } else if (tag[1]) {
+  parts.forEach((part, i) => {
+    if (i % 2 === 0) {
+      const run = document.createTextNode(unescaped(part));
+      open[open.length - 1].append(run);
+      into.runs.push(run);
+    } else if (part[1] === '/') {
       if (open.length > 1) open.pop();
     } else {
-      const element = document.createElement(tag[2]);
+      const element = document.createElement(part.slice(1, -1));
       open[open.length - 1].append(element);
       open.push(element);
     }
-  }
+  });
 }
 
 /** The same as plain characters. @param {string} text */
@@ -42,9 +54,10 @@ function filled(/** @type {string} */ template, /** @type {Record<string, string
   return template.replace(/\{(\w+)\}/g, (whole, name) => (name in parts ? `${open}${parts[name]}${close}` : whole));
 }
 
-/** Writes text only where it changed. */
-function setText(/** @type {Element} */ element, /** @type {string} */ text) {
+/** Writes text only where it changed. @param {any} element @param {string} text */
+function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
+  element.rich = undefined;
 }
 
 /** Attributes of an element. @template {Element} E @returns {E} */
