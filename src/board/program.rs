@@ -94,6 +94,8 @@ pub struct Transcript {
     values: Vec<f64>,
     made: HashMap<(Op, Operands), u32>,
     constants: HashMap<u64, u32>,
+    /// How far off is what was computed from constants alone, where errors do not stand with the numbers themselves.
+    folded: HashMap<u32, f64>,
     pub(super) chords: Vec<u32>,
     chord_calls: Vec<Option<u32>>,
     pub(super) divisors: Vec<(u32, Reason)>,
@@ -138,6 +140,21 @@ impl Transcript {
             return self.constant(value);
         }
         self.node(Node::Constant(value, error), value)
+    }
+
+    /// The same where no number has an error of its own: each is off by a few roundings.
+    fn folded_noise(&self, op: Op, of: Operands, value: f64) -> f64 {
+        let values = of.map(|slot| self.value(slot));
+        let partials = op.partials(values, value);
+        let own = |i: usize| self.folded.get(&of[i]).copied().unwrap_or(4.0 * U * values[i].abs());
+        let carried: f64 = (0..op.operands()).map(|i| partials[i].abs() * own(i)).sum();
+        carried + op.rounding::<f64>(values, value)
+    }
+
+    /// How far off a constant is: a few roundings, but where nothing else is left of what it was computed from.
+    fn noise(&self, slot: usize, value: f64) -> f64 {
+        let folded = u32::try_from(slot).ok().and_then(|slot| self.folded.get(&slot).copied());
+        folded.filter(|error| value.abs() <= CLEAR * error).unwrap_or(4.0 * U * value.abs())
     }
 
     /// The error of what is computed from constants alone.
@@ -275,7 +292,13 @@ impl Transcript {
     fn fold(&mut self, op: Op, of: Operands) -> u32 {
         let value = op.value(of.map(|slot| self.value(slot)));
         if !self.with_errors {
-            return self.constant(value);
+            let error = self.folded_noise(op, of, value);
+            let slot = self.constant(value);
+            // A number that stood there already is as sure as it was.
+            if slot as usize + 1 == self.nodes.len() && error.is_finite() {
+                self.folded.entry(slot).or_insert(error);
+            }
+            return slot;
         }
         // The same computation of the same numbers has the same error, not one of its own.
         if let Some(&slot) = self.made.get(&(op, of)) {
@@ -372,7 +395,7 @@ impl Transcript {
                 match *node {
                     Node::Constant(value, _) => {
                         slots[slot] = program.row();
-                        program.constants.push((slots[slot], value));
+                        program.constants.push((slots[slot], value, self.noise(slot, value)));
                     }
                     Node::Tried => {
                         slots[slot] = program.row();
@@ -813,7 +836,8 @@ impl Default for FoundByTrial {
 #[derive(Debug, Clone)]
 pub struct Program {
     steps: Vec<Step>,
-    constants: Vec<(u32, f64)>,
+    /// Rows, values and errors.
+    constants: Vec<(u32, f64, f64)>,
     /// Row 0 is the input.
     rows: u32,
     asked: Vec<u32>,
@@ -1036,7 +1060,7 @@ impl Program {
     #[must_use]
     pub fn block(&self) -> Block {
         let mut rows = vec![[0.0; LANES]; self.rows as usize];
-        for &(row, value) in &self.constants {
+        for &(row, value, _) in &self.constants {
             rows[row as usize] = [value; LANES];
         }
         let slopes = if self.tries() { vec![[0.0; LANES]; self.rows as usize] } else { Vec::new() };
@@ -1187,11 +1211,11 @@ impl Program {
         rows.resize(self.rows as usize, Row::default());
         rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
         rows[0].round(2.0 * U * input.abs(), lots(LOT_OF_INPUT));
-        for &(row, value) in &self.constants {
-            // A constant has been computed from numbers of the scene: a few roundings.
+        for &(row, value, error) in &self.constants {
+            // A constant has been computed from numbers of the scene.
             let constant = &mut rows[row as usize];
             constant.value = value;
-            constant.round(4.0 * U * value.abs(), lots(lot_of_constant(value)));
+            constant.round(error, lots(lot_of_constant(value)));
         }
         let mut done = 0;
         for trial in &self.trials {
@@ -1370,6 +1394,8 @@ pub struct Listing {
     pub lots_of_input: u8,
     /// Rows that hold a number from the beginning, with the signs that were drawn for its rounding.
     pub constants: Vec<(u32, f64, u8)>,
+    /// Those among them that are off by more than a few roundings, and by how much.
+    pub noise: Vec<(u32, f64)>,
     /// The operations, in order.
     pub steps: Vec<ListedStep>,
     /// What is found by trial, in the order of the operations.
@@ -1402,7 +1428,14 @@ impl Program {
         let constants = self
             .constants
             .iter()
-            .map(|&(row, value)| (fresh(&mut now, row), value, lots(lot_of_constant(value))))
+            .map(|&(row, value, _)| (fresh(&mut now, row), value, lots(lot_of_constant(value))))
+            .collect();
+        let is_noise = |&&(_, value, error): &&(u32, f64, f64)| error != 4.0 * U * value.abs();
+        let noise = self
+            .constants
+            .iter()
+            .filter(is_noise)
+            .map(|&(row, _, error)| (now[row as usize], error))
             .collect();
         for trial in &self.trials {
             fresh(&mut now, trial.found);
@@ -1431,6 +1464,7 @@ impl Program {
         Listing {
             lots_of_input: lots(LOT_OF_INPUT),
             constants,
+            noise,
             steps,
             trials: self
                 .trials

@@ -64,6 +64,9 @@ pub(super) fn json(listing: &Listing) -> Value {
         "turns": listing.turns,
         "divisors": guards(listing),
     });
+    if !listing.noise.is_empty() {
+        program["noise"] = json!(listing.noise);
+    }
     if !listing.trials.is_empty() {
         program["turned"] = listing.turn_slots.into();
     }

@@ -32,6 +32,8 @@ class Program {
     this.rows = written.rows;
     this.code = Int32Array.from(written.code);
     this.constants = written.constants;
+    /** Constants that are off by more than a few roundings. @type {Map<number, number>} */
+    this.noise = new Map(written.noise);
     this.lots = written.lots;
     this.signCount = written.signs;
     this.turnCount = written.turned;
@@ -148,7 +150,7 @@ class Program {
     for (const [row, constant, lots] of this.constants) {
       value[row] = constant;
       this.slope[row] = 0;
-      this.round(row, 4 * UNIT * Math.abs(constant), lots);
+      this.round(row, this.noise.get(row) ?? 4 * UNIT * Math.abs(constant), lots);
     }
     for (let step = 0; step < code.length; step += WIDTH) {
       const kind = code[step], to = code[step + 1], second = code[step + 2], last = code[step + 7];
