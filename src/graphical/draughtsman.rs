@@ -7,7 +7,7 @@ use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::given::Given;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{Heaviness, LoadKind, Share, Size};
-use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Indeterminate, Order, Quantity, Stuck};
 use crate::mechanism::structure::{Hold, Structure, Target, Trial, TrialDriver, Unknown};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
@@ -401,6 +401,16 @@ impl<'m> Draughtsman<'m> {
             Cause::Missing(_) => Vec::new(),
         };
         self.reasons.iter().map(links).collect()
+    }
+
+    /// By reason how friction is stuck there, where it is that.
+    pub(super) fn all_stuck(&self) -> Vec<Option<Stuck>> {
+        let stuck = |why: &Cause| match why {
+            Cause::Missing(Missing::Sense(_) | Missing::Side(_)) => Some(Stuck::AtRest),
+            Cause::Missing(Missing::Balance) => Some(Stuck::Locked),
+            _ => None,
+        };
+        self.reasons.iter().map(stuck).collect()
     }
 
     // --- the record ----------------------------------------------------------------------------

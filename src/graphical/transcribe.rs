@@ -1,7 +1,7 @@
 //! A mechanism's drawing as a program: made once, to be run over the range of an input.
 
 use crate::board::{Board, BoundedProgram, Program, Reason, Tape, Transcript, Variable, Wanted};
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Order, Quantity, Stuck};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::{Plan, chord};
@@ -32,6 +32,8 @@ pub struct Transcribed {
     pub without: Vec<(usize, Without)>,
     /// Link numbers behind each reason of a divisor.
     pub reasons: Vec<Vec<u32>>,
+    /// How friction is stuck behind each, where it is that.
+    pub stuck: Vec<Option<Stuck>>,
     /// The circle diagram leads to not every wanted centre: plan again with velocities.
     pub stalled: bool,
     /// Which chord of the program every half chord of the drawing is, in the order of drawing.
@@ -95,6 +97,7 @@ pub fn transcribe(
         centres: written.centres,
         without: written.without,
         reasons: written.reasons,
+        stuck: written.stuck,
         stalled: written.stalled,
         chord_calls: written.transcript.chord_calls().to_vec(),
     })
@@ -138,6 +141,7 @@ struct Written {
     homogeneous: Vec<[u32; 3]>,
     without: Vec<(usize, Without)>,
     reasons: Vec<Vec<u32>>,
+    stuck: Vec<Option<Stuck>>,
     stalled: bool,
 }
 
@@ -192,7 +196,7 @@ fn write_down(
         }
     }
     let stalled = draughtsman.record().circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty());
-    let reasons = draughtsman.all_reasons();
+    let (reasons, stuck) = (draughtsman.all_reasons(), draughtsman.all_stuck());
     let transcript = read(draughtsman.board.tape());
     let places = places.into_iter().map(|mark| transcript.slot(mark)).collect();
     let (mut numbers, mut asked) = (Vec::new(), Vec::new());
@@ -230,6 +234,7 @@ fn write_down(
         homogeneous,
         without,
         reasons,
+        stuck,
         stalled,
     })
 }

@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 use thiserror::Error;
 
 use crate::board::Listing;
-use crate::mechanism::quantity::Quantity;
+use crate::mechanism::quantity::{Quantity, Stuck};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::Language;
@@ -103,7 +103,7 @@ impl<'s> Live<'s> {
     /// The whole as `linkgram-live` JSON: what a page holds, without its ink.
     #[must_use]
     pub fn json(&self, language: Language) -> Value {
-        json!({
+        let mut data = json!({
             "format": FORMAT,
             "version": VERSION,
             "program_version": env!("CARGO_PKG_VERSION"),
@@ -114,7 +114,18 @@ impl<'s> Live<'s> {
             "outputs": self.outputs(),
             "behind": program::behind(&self.listing),
             "reasons": self.sweep.reasons(),
-        })
+        });
+        let word = |stuck: &Option<Stuck>| {
+            stuck.map(|stuck| match stuck {
+                Stuck::AtRest => "at_rest",
+                Stuck::Locked | Stuck::Ambiguous => "locked",
+            })
+        };
+        let stuck: Vec<Option<&str>> = self.sweep.stuck().iter().map(word).collect();
+        if stuck.iter().any(Option::is_some) {
+            data["stuck"] = json!(stuck);
+        }
+        data
     }
 
     /// What the data of the ink call a quantity.

@@ -112,6 +112,8 @@ pub fn schema() -> Value {
             "reasons": list(&list(&integer)),
         }),
     );
+    schema["properties"]["stuck"] = list(&json!({ "enum": ["at_rest", "locked", null] }));
+    schema["properties"]["program"]["properties"]["noise"] = list(&tuple(&[integer.clone(), number.clone()]));
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     schema["title"] = json!("linkgram-live");
     schema

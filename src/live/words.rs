@@ -30,7 +30,7 @@ words! {
     draw, on_paper, turns_back, no_print, not_a_length,
     help_keys, moving_page, seconds_a_turn, copied, answer,
     page_version, not_moving, not_moving_one, said_at_start, said_at_start_one, save_answers, not_read, not_a_number, own_name,
-    question_sheet, taken_apart, begin_over, no_room, no_room_one,
+    question_sheet, taken_apart, begin_over, no_room, no_room_one, at_rest, locked,
 }
 
 /// The words of a language.
@@ -60,6 +60,8 @@ const ENGLISH: Words = Words {
     here: "at this position",
     not_here: "indeterminate here",
     in_line: "links {links} in line",
+    at_rest: "a pair that rubs comes to rest, and its friction has no sense",
+    locked: "with friction, the forces drawn again and again come to no end",
     at_infinity: "at infinity",
     limit: "Limit of the input",
     change_point: "Change point",
@@ -144,6 +146,8 @@ const ARABIC: Words = Words {
     here: "في هذا الوضع",
     not_here: "غير محدد هنا",
     in_line: "الوصلات {links} على استقامة واحدة",
+    at_rest: "سطحان محتكّان يسكنان فلا اتجاه لاحتكاكهما",
+    locked: "مع الاحتكاك لا تنتهي القوى المرسومة مرة بعد مرة إلى حد",
     at_infinity: "في اللانهاية",
     limit: "نهاية حركة الدخل",
     change_point: "نقطة تغيّر",
@@ -225,6 +229,8 @@ const PERSIAN: Words = Words {
     here: "در این وضعیت",
     not_here: "در اینجا نامعین",
     in_line: "لینک‌های {links} در یک راستا",
+    at_rest: "دو سطح ساینده می‌ایستند و اصطکاکشان جهتی ندارد",
+    locked: "با اصطکاک، نیروهایی که بارها رسم می‌شوند به پایانی نمی‌رسند",
     at_infinity: "در بی‌نهایت",
     limit: "حد ورودی",
     change_point: "نقطهٔ تغییر",

@@ -25,7 +25,7 @@ use crate::board::{Dual, LANES, Lane, Listing, Variable, Workspace};
 pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::force::Force;
-use crate::mechanism::quantity::{Asked, Quantity};
+use crate::mechanism::quantity::{Asked, Quantity, Stuck};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 use crate::plan::{CentreSource, Extent, Plan};
@@ -710,6 +710,12 @@ impl Sweep {
     #[must_use]
     pub fn reasons(&self) -> &[Vec<u32>] {
         &self.transcribed.reasons
+    }
+
+    /// How friction is stuck where a divisor of each reason vanishes, where it is that.
+    #[must_use]
+    pub fn stuck(&self) -> &[Option<Stuck>] {
+        &self.transcribed.stuck
     }
 
     /// The size of the input's numbers, by which its rounding is measured.

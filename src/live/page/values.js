@@ -72,15 +72,17 @@ function told(/** @type {any} */ { kind, outputs: own, si, unit }, /** @type {Pa
   }
 }
 
-/** Why a quantity is not known here: the links of the divisors behind it that do not stand clear. */
+/** Why a quantity is not known here: the first divisor behind it that does not stand clear, by its links, or by how friction is
+ * stuck there. What was computed from it is no number, and no reason. */
 function reasonOf(/** @type {number[]} */ outputs, /** @type {any} */ course, /** @type {any} */ words) {
   const { live, program } = course;
   for (const output of outputs) {
     for (const index of live.behind[output]) {
       const [row, reason] = program.divisors[index];
-      const links = live.reasons[reason] || [];
-      const own = [...new Set(links)];
-      if (!program.isClear(row) && own.length > 1) {
+      if (program.isClear(row) || Number.isNaN(program.value[row])) continue;
+      const own = [...new Set(live.reasons[reason])], stuck = live.stuck?.[reason];
+      if (stuck) return `${words.not_here}: ${words[stuck]}`;
+      if (own.length > 1) {
         return `${words.not_here}: ${filled(words.in_line, { links: own.join(', ') })}`;
       }
     }
