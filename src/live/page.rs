@@ -287,11 +287,11 @@ fn bare(script: &str) -> String {
     lines.map(|line| tight(line) + "\n").collect()
 }
 
-/// A line of a script without the blanks beside its signs. A template, an expression of a pattern and what is divided stay
-/// as they are; so do sums, whose signs must not run together.
+/// A line of a script without the blanks beside its signs. Texts stay as they are, and lines with a pattern, whose strokes have no
+/// blanks beside them as those of a division have, or with one template in another; so do sums, whose signs must not run together.
 fn tight(line: &str) -> String {
     const SIGNS: &str = ",=(){}[]:?&|;<>*!";
-    if line.contains(['`', '/']) {
+    if line.replace(" / ", "").contains('/') || line.matches('`').count() > 2 {
         return line.to_owned();
     }
     let mut out = String::with_capacity(line.len());
@@ -307,7 +307,7 @@ fn tight(line: &str) -> String {
             // An escaped sign is none.
             Some(_) if c == '\\' => out.extend(rest.next()),
             Some(open) if c == open => quote = None,
-            None if c == '\'' || c == '"' => quote = Some(c),
+            None if matches!(c, '\'' | '"' | '`') => quote = Some(c),
             _ => {}
         }
     }

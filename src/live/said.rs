@@ -2,7 +2,9 @@
 //!
 //! The sheet says the same step at some positions of the course. A number that is printed differently there is bound to
 //! the output that is printed so in all of them, to the last figure; a sentence of which one number is bound to nothing,
-//! or whose words differ, is said of the scene's own position only. So nothing here knows what a sentence means.
+//! or whose words differ, is said of the scene's own position only. A number that is the product or the quotient of those before
+//! it in its line, as they are printed, is calculated from these everywhere: what was read off paper is rounded, and no output is
+//! so to the last figure. So nothing here knows what a sentence means.
 
 use serde_json::{Value, json};
 
@@ -47,6 +49,8 @@ enum Form {
     Direction,
     /// What is varied.
     Input,
+    /// How far two places are from each other on the paper of the skeleton, in millimetres.
+    Between,
 }
 
 impl Form {
@@ -58,6 +62,7 @@ impl Form {
             Self::OnPaper => 3,
             Self::Direction => 4,
             Self::Input => 5,
+            Self::Between => 10,
         }
     }
 }
@@ -69,7 +74,7 @@ struct Candidate {
     output: usize,
     /// SI units of a unit, or of a millimetre.
     si: f64,
-    /// The panel on whose paper it is.
+    /// The panel on whose paper it is; of a distance the output of the other place.
     panel: Option<usize>,
     values: Vec<f64>,
 }
@@ -98,6 +103,72 @@ struct Reading<'a> {
 const READ: u32 = 9;
 const AMOUNT: u32 = 7;
 const FACTOR: u32 = 8;
+/// The code of a number that is calculated from printed ones: its index and, where it is first told, factors, divisors, and how many
+/// figures more than usual it has elsewhere and at the scene's own position.
+const CALCULATED: u32 = 11;
+
+/// What is no point on paper is a millimetre long and read to half a tenth: so far off is what follows from it.
+const AS_READ: f64 = 0.05;
+
+/// The numbers that lines have calculated: how they are printed in the positions. Their index is their number.
+#[derive(Debug, Default)]
+struct Calculated(Vec<Vec<String>>);
+
+impl Calculated {
+    /// The number that is printed so, if it was told before.
+    fn told(&self, printed: &[&str], at: &[usize]) -> Option<Value> {
+        let is_told = |all: &Vec<String>| at.iter().zip(printed).all(|(index, text)| all[*index] == *text);
+        Some(json!([CALCULATED, self.0.iter().position(is_told)?]))
+    }
+}
+
+/// A printed number, its power of ten with it.
+fn value_of(text: &str) -> Option<f64> {
+    text.replace("\u{a0}×\u{a0}10<sup>", "e")
+        .replace("</sup>", "")
+        .replace('\u{2009}', "")
+        .replace('−', "-")
+        .parse()
+        .ok()
+}
+
+/// What a line comes to as it is printed, with so many figures more than usual: one more where it lies half way.
+fn rounded(value: f64, more: usize) -> Option<f64> {
+    let to = |digits: usize| format!("{value:.*e}", digits - 1).parse::<f64>().ok();
+    let digits = if value.abs() >= 1000.0 { 4 } else { 3 } + more;
+    let usual = to(digits)?;
+    let half = 0.5 * libm::exp10(libm::log10(value.abs()).floor() - digits as f64 + 1.0);
+    // As the page has it.
+    if ((value - usual).abs() - half).abs() <= 1e-6 * half { to(digits + 1) } else { Some(usual) }
+}
+
+/// How two numbers of a line go together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sign {
+    Times,
+    Over,
+    Equals,
+}
+
+/// The sign between two numbers, and whether the first is squared; nothing where a line does more with them than that.
+fn sign(words: &str) -> Option<(Sign, bool)> {
+    let (squared, rest) = words.strip_prefix('²').map_or((false, words), |rest| (true, rest));
+    let bare: String = rest.chars().filter(|c| !matches!(c, '\u{2066}'..='\u{2069}' | '\u{200e}')).collect();
+    let mut found = None;
+    for word in bare.split_whitespace() {
+        let one = match word {
+            "×" | "·" => Sign::Times,
+            "/" => Sign::Over,
+            "=" => Sign::Equals,
+            _ if word.contains(['(', ')', '+', '−', '√', '|', ';', ',', '=']) => return None,
+            _ => continue,
+        };
+        if found.replace(one).is_some() {
+            return None;
+        }
+    }
+    Some((found?, squared))
+}
 
 /// A text is bound by no fewer positions than this.
 const ENOUGH: usize = 3;
@@ -176,6 +247,29 @@ impl Printed {
             }
         }
         let values = places.iter().map(|at| at / input).collect();
+        let points = sweep.columns.iter().enumerate().filter_map(|(index, column)| {
+            let is_place = matches!(column.asked.quantity, Quantity::Position(_)) && column.axis == Some(0);
+            is_place.then_some(index)
+        });
+        let points: Vec<usize> = points.collect();
+        if let Some((_, si_per_mm, _)) = polygons.first() {
+            for (i, a) in points.iter().enumerate() {
+                for b in &points[i + 1..] {
+                    let apart = |all: &Vec<Option<f64>>| {
+                        Some(libm::hypot(all[*b]? - all[*a]?, all[b + 1]? - all[a + 1]?) / si_per_mm)
+                    };
+                    let values: Option<Vec<f64>> = numbers.iter().map(apart).collect();
+                    let between = |values| Candidate {
+                        form: Form::Between,
+                        output: *a,
+                        si: *si_per_mm,
+                        panel: Some(*b),
+                        values,
+                    };
+                    all.extend(values.map(between));
+                }
+            }
+        }
         all.push(Candidate { form: Form::Input, output: 0, si: input, panel: None, values });
         Self { all, senses }
     }
@@ -188,7 +282,7 @@ impl Printed {
             let values = || at.iter().map(|index| candidate.values[*index]);
             let first = values().next()?;
             let is = |text: &str, value: f64, more: usize| match candidate.form {
-                Form::OnPaper => moving::printed_mm(value, more) == text,
+                Form::OnPaper | Form::Between => moving::printed_mm(value, more) == text,
                 Form::Direction => moving::printed_degrees(value) == text,
                 Form::Input => moving::printed_stated(value) == text,
                 Form::Length => {
@@ -198,7 +292,7 @@ impl Printed {
                 Form::Size | Form::Signed => moving::printed(value, more) == text,
             };
             let figures = match candidate.form {
-                Form::OnPaper => 1..=2,
+                Form::OnPaper | Form::Between => 1..=2,
                 Form::Direction | Form::Input => 0..=0,
                 _ => 0..=GUARDS,
             };
@@ -217,7 +311,8 @@ impl Printed {
             let more = more(candidate)?;
             let Candidate { form, output, si, panel, .. } = candidate;
             let piece = json!([form.code(), output, si, more, panel]);
-            Some((piece, panel.map(|panel| OnPaper { panel, si_per_mm: *si, output: *output })))
+            let on = panel.filter(|_| *form == Form::OnPaper);
+            Some((piece, on.map(|panel| OnPaper { panel, si_per_mm: *si, output: *output })))
         })
     }
 
@@ -278,7 +373,17 @@ impl Printed {
 
     /// A text that is printed so in the positions: as it stands where it is the same in all, in pieces where every number
     /// of it is bound, else under `own`.
-    fn text(&self, printed: &[&str], of_an_instant: &[String]) -> Value {
+    fn text(&self, printed: &[&str], of_an_instant: &[String], told: &mut Calculated) -> Value {
+        let before = told.0.len();
+        let text = self.in_pieces(printed, of_an_instant, told);
+        if text.is_object() {
+            // What stands nowhere is not told.
+            told.0.truncate(before);
+        }
+        text
+    }
+
+    fn in_pieces(&self, printed: &[&str], of_an_instant: &[String], told: &mut Calculated) -> Value {
         let Some(first) = printed.first() else { return json!("") };
         let own = || json!({ "own": first });
         let tokens: Vec<Vec<Token>> = printed.iter().map(|text| self.tokens(text)).collect();
@@ -300,7 +405,7 @@ impl Printed {
             return json!(first);
         }
         let mut pieces: Vec<Value> = Vec::new();
-        let mut turns: Option<usize> = None;
+        let mut turns: Vec<usize> = Vec::new();
         let mut reading: Option<Reading<'_>> = None;
         let mut reads: Vec<OnPaper> = Vec::new();
         for (index, token) in one.iter().enumerate() {
@@ -328,7 +433,8 @@ impl Printed {
                     pieces.push(reading.si.map_or_else(|| json!(text), |si| json!([FACTOR, panel, si])));
                 }
                 Token::Number(text) if constant => {
-                    turns = self.turning(&same, &at).or(turns);
+                    let exact = self.turning(&same, &at, 0.0);
+                    turns.splice(0..0, exact);
                     let bound = if on_paper(index) { self.bound(&same, &at, true) } else { None };
                     let Some((piece, Some(on))) = bound else {
                         pieces.push(json!(text));
@@ -346,8 +452,22 @@ impl Printed {
                         pieces.push(json!([AMOUNT]));
                         continue;
                     }
-                    let Some((piece, on)) = self.bound(&same, &at, false) else { return own() };
-                    turns = self.turning(&same, &at);
+                    // A number stands everywhere as it was told; and what follows from a calculated one in its line is
+                    // calculated from it as it is printed: so the line closes.
+                    let follows = pieces.iter().any(|piece| piece.get(0) == Some(&json!(CALCULATED)));
+                    let is_everywhere = at.len() == tokens.len();
+                    let known = told.told(&same, &at);
+                    let known = known.or_else(|| {
+                        if follows && is_everywhere { self.calculated(&all, &pieces, told) } else { None }
+                    });
+                    let bound = known.map(|piece| (piece, None)).or_else(|| self.bound(&same, &at, false));
+                    let bound = bound.or_else(|| {
+                        let piece =
+                            if is_everywhere { self.calculated(&all, &pieces, told)? } else { return None };
+                        Some((piece, None))
+                    });
+                    let Some((piece, on)) = bound else { return own() };
+                    turns.splice(0..0, self.turning(&same, &at, AS_READ));
                     if let Some(on) = on {
                         reads.push(on);
                         reading = Some(Reading { on, piece: pieces.len(), printed: same, si: None });
@@ -363,7 +483,7 @@ impl Printed {
                             })
                         })
                     };
-                    match turns.filter(follows) {
+                    match turns.iter().copied().find(follows) {
                         Some(output) => pieces.push(json!([6, output])),
                         None => return own(),
                     }
@@ -404,52 +524,174 @@ impl Printed {
         each.all(|more| more.is_some()).then_some((si, more))
     }
 
-    /// The signed scalar whose size is printed so.
-    fn turning(&self, printed: &[&str], at: &[usize]) -> Option<usize> {
-        let fits = |c: &&Candidate| {
-            let mut values = at.iter().map(|index| c.values[*index]).zip(printed);
-            c.form == Form::Size && values.all(|(value, text)| rounds_to(text, value))
+    /// A number that its line calculates from those before it, as they are printed, in every position; or from a distance on paper
+    /// by the scale of the skeleton.
+    fn calculated(&self, all: &[&Vec<Token>], pieces: &[Value], told: &mut Calculated) -> Option<Value> {
+        let index = pieces.len();
+        let number = |tokens: &[Token], index: usize| match tokens.get(index) {
+            Some(Token::Number(text)) => value_of(text),
+            _ => None,
         };
-        self.all.iter().find(fits).map(|candidate| candidate.output)
+        let operand = |index: usize| match pieces.get(index)? {
+            Value::String(text) => value_of(text).map(|value| json!(value)),
+            piece => match u32::try_from(piece.get(0)?.as_u64()?).ok()? {
+                // What is read by a scale in force hangs on what stood before it.
+                AMOUNT | FACTOR | READ => None,
+                CALCULATED => Some(json!([CALCULATED, piece.get(1)?])),
+                _ => Some(piece.clone()),
+            },
+        };
+        let before = |back: usize| match all.first()?.get(index.checked_sub(back)?)? {
+            Token::Words(words) => Some(words.as_str()),
+            _ => None,
+        };
+        // By token, and whether it divides.
+        let mut operands: Vec<(usize, bool)> = Vec::new();
+        let mut scale = 1.0;
+        let is_between = |piece: &Value| piece.get(0) == Some(&json!(Form::Between.code()));
+        if pieces.get(index.checked_sub(2)?).is_some_and(is_between) {
+            operands.push((index - 2, false));
+            let lengths = self.all.iter().filter(|c| c.form == Form::Length).map(|c| c.si);
+            let first = all.first()?;
+            let (mm, come) = (number(first, index - 2)?, number(first, index)?);
+            let per_mm = self.all.iter().find(|c| c.form == Form::Between)?.si;
+            scale = lengths
+                .map(|si| per_mm / si)
+                .find(|scale| (0..=GUARDS).any(|more| rounded(mm * scale, more) == Some(come)))?;
+        } else {
+            let (mut back, mut after) = (1, before(1)?);
+            if sign(after)?.0 != Sign::Equals {
+                return None;
+            }
+            loop {
+                let (at, squared) = (index.checked_sub(back + 1)?, sign(after)?.1);
+                let left = before(back + 2)?;
+                // Where the line begins to calculate nothing but its sign stands before the number.
+                let begins = left.trim_end().ends_with('=');
+                let divides = !begins && sign(left)?.0 == Sign::Over;
+                operands.extend(std::iter::repeat_n((at, divides), 1 + usize::from(squared)));
+                if begins {
+                    break;
+                }
+                (back, after) = (back + 2, left);
+            }
+        }
+        let printed = |tokens: &&Vec<Token>| match tokens.get(index) {
+            Some(Token::Words(text) | Token::Number(text) | Token::Sense(text)) => text.clone(),
+            None => String::new(),
+        };
+        let comes_to = |tokens: &&Vec<Token>| {
+            operands.iter().try_fold(scale, |value, (index, divides)| {
+                let own = number(tokens, *index)?;
+                Some(if *divides { value / own } else { value * own })
+            })
+        };
+        let more = |tokens: &&Vec<Token>| {
+            // As the page has it: what is half way is so but for the last places of a double.
+            let value: f64 = format!("{:.11e}", comes_to(tokens)?).parse().ok()?;
+            let text = &printed(tokens);
+            let digits = text.split('\u{a0}').next()?.chars().filter(char::is_ascii_digit);
+            let written = digits.skip_while(|digit| *digit == '0').count();
+            let usual = if value.abs() >= 1000.0 { 4 } else { 3 };
+            // With as many figures as it is written, zeros at its end among them.
+            let is_so = |more: &usize| rounded(value, *more) == value_of(text);
+            (written.saturating_sub(usual)..=GUARDS).find(is_so).or_else(|| (0..=GUARDS).find(is_so))
+        };
+        let figures: Vec<usize> = all.iter().map(more).collect::<Option<_>>()?;
+        let part = |divides: bool| {
+            let own = operands.iter().filter(move |(_, other)| *other == divides);
+            own.map(|(index, _)| operand(*index)).collect::<Option<Vec<_>>>()
+        };
+        let (mut factors, divisors) = (part(false)?, part(true)?);
+        if scale != 1.0 {
+            factors.push(json!(scale));
+        }
+        let is_varied = factors.iter().chain(&divisors).any(Value::is_array);
+        if !is_varied {
+            return None;
+        }
+        told.0.push(all.iter().map(printed).collect());
+        // As many as it takes for what is calculated from it to come out in every position that was drawn.
+        let most = figures.iter().max()?;
+        Some(json!([CALCULATED, told.0.len() - 1, factors, divisors, most, figures.first()?]))
+    }
+
+    /// The signed scalars whose size is printed so or is off by no more than a part of itself, the nearest first.
+    fn turning(&self, printed: &[&str], at: &[usize], room: f64) -> Vec<usize> {
+        let off = |c: &Candidate| {
+            let values = || at.iter().map(|index| c.values[*index]).zip(printed);
+            let mut parts = values().map(|(value, text)| Some((value / value_of(text)? - 1.0).abs()));
+            let most = parts.try_fold(0.0, |most: f64, part| Some(most.max(part?)))?;
+            let fits = most <= room || values().all(|(value, text)| rounds_to(text, value));
+            fits.then_some((most, c.output))
+        };
+        let mut all: Vec<(f64, usize)> =
+            self.all.iter().filter(|c| c.form == Form::Size).filter_map(off).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all.into_iter().map(|(_, output)| output).collect()
     }
 
     /// The steps; the scene's own position is the first.
     pub(super) fn steps(&self, positions: &[Vec<Said>], of_an_instant: &[String]) -> Vec<Value> {
         let Some(own) = positions.first() else { return Vec::new() };
-        let step = |(index, said): (usize, &Said)| {
-            let all: Vec<&Said> = positions.iter().filter_map(|p| p.get(index)).collect();
-            let alike = all.len() == positions.len()
-                && all.iter().all(|other| {
-                    other.step == said.step
-                        && other.sentences.len() == said.sentences.len()
-                        && other.equations.len() == said.equations.len()
+        let mut told = Calculated::default();
+        // The cells of a table may hold what the lines below it calculate.
+        let lines: Vec<Vec<Value>> = (0..own.len())
+            .map(|index| {
+                let count = own[index].sentences.len();
+                let each = (0..count).map(|s| {
+                    self.said_in(positions, index, of_an_instant, &mut told, &|said| {
+                        said.sentences.get(s).cloned()
+                    })
                 });
-            let text = |of: &dyn Fn(&Said) -> Option<String>| {
-                let printed: Option<Vec<String>> =
-                    if alike { all.iter().map(|said| of(said)).collect() } else { None };
-                match printed {
-                    Some(printed) => {
-                        let printed: Vec<&str> = printed.iter().map(String::as_str).collect();
-                        self.text(&printed, of_an_instant)
-                    }
-                    None => json!({ "own": of(said) }),
+                each.collect()
+            })
+            .collect();
+        let mut steps = Vec::new();
+        for (index, (said, sentences)) in own.iter().zip(lines).enumerate() {
+            let mut equations = Vec::new();
+            for (e, rows) in said.equations.iter().enumerate() {
+                let mut table = Vec::new();
+                for (r, row) in rows.iter().enumerate() {
+                    let cells = (0..row.len()).map(|c| {
+                        let cell = |said: &Said| Some(said.equations.get(e)?.get(r)?.get(c)?.clone());
+                        self.said_in(positions, index, of_an_instant, &mut told, &cell)
+                    });
+                    table.push(cells.collect::<Vec<_>>());
                 }
-            };
-            let cell = |e: usize, r: usize, c: usize| {
-                text(&|said| Some(said.equations.get(e)?.get(r)?.get(c)?.clone()))
-            };
-            let equations: Vec<Value> = (0..said.equations.len())
-                .map(|e| {
-                    let rows = said.equations[e].iter().enumerate();
-                    let rows = rows.map(|(r, row)| (0..row.len()).map(|c| cell(e, r, c)).collect::<Vec<_>>());
-                    json!(rows.collect::<Vec<_>>())
-                })
-                .collect();
-            let sentences: Vec<Value> =
-                (0..said.sentences.len()).map(|s| text(&|said| said.sentences.get(s).cloned())).collect();
-            json!({ "step": said.step, "head": said.head, "equations": equations, "sentences": sentences })
-        };
-        own.iter().enumerate().map(step).collect()
+                equations.push(table);
+            }
+            steps.push(json!({ "step": said.step, "head": said.head, "equations": equations, "sentences": sentences }));
+        }
+        steps
+    }
+
+    /// A text of a step, by what it is in each of the positions.
+    fn said_in(
+        &self,
+        positions: &[Vec<Said>],
+        index: usize,
+        of_an_instant: &[String],
+        told: &mut Calculated,
+        of: &dyn Fn(&Said) -> Option<String>,
+    ) -> Value {
+        let all: Vec<&Said> = positions.iter().filter_map(|position| position.get(index)).collect();
+        let Some(said) = all.first() else { return json!("") };
+        let alike = all.len() == positions.len()
+            && all.iter().all(|other| {
+                other.step == said.step
+                    && other.sentences.len() == said.sentences.len()
+                    && other.equations.len() == said.equations.len()
+            });
+        let printed: Option<Vec<String>> =
+            if alike { all.iter().map(|said| of(said)).collect() } else { None };
+        match printed {
+            Some(printed) => {
+                let printed: Vec<&str> = printed.iter().map(String::as_str).collect();
+                self.text(&printed, of_an_instant, told)
+            }
+            None => json!({ "own": of(said) }),
+        }
     }
 }
 

@@ -49,7 +49,7 @@ function showDiagrams(page) {
       const part = Math.min(...ends.filter((end) => end > 0)), u = { x: d.x / length, y: d.y / length };
       if (part < 1) arrows += [0, -2.5].map((by) => headOf(plus(plus(a, d, part), u, by), u, 2.5)).join(' ');
     }
-    cuts[panel.index].setAttribute('d', arrows);
+    setPath(cuts[panel.index], arrows);
     const angle = flattest(panel);
     if (angle < FLAT) said.push(filled(page.text.flat, { angle: degrees(angle) }));
     return said.join(' · ');

@@ -35,14 +35,10 @@ function handLeads(page, halt) {
 
   /** Ink that is held leads the input to where the point that was taken comes nearest to the pointer. */
   function hold(/** @type {Element} */ element, /** @type {(at: any) => any} */ spotAt) {
-    const here = (/** @type {any} */ event) => {
-      const matrix = svg.getScreenCTM();
-      return matrix && new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-    };
     on(element, 'pointerdown', (event) => {
       // A second finger zooms.
       if (event.button !== 0 || !event.isPrimary || held.pointer !== -1) return;
-      const at = here(event);
+      const at = spotOf(svg, event);
       const spot = at && spotAt(at);
       if (!spot || !spot[1]) return;
       held = { pointer: event.pointerId, spot, beyond: [] };
@@ -56,7 +52,7 @@ function handLeads(page, halt) {
       if (/** @type {TouchEvent} */ (event).touches.length === 1) event.preventDefault();
     }, { passive: false });
     on(element, 'pointermove', (event) => {
-      const at = event.pointerId === held.pointer && here(event);
+      const at = event.pointerId === held.pointer && spotOf(svg, event);
       if (!at) return;
       page.dragged = true;
       // Beyond a limit nothing moves until the hand has come back to it.
@@ -115,7 +111,7 @@ function handLeads(page, halt) {
       visible(stop, Boolean(page.stopped && spot));
       put(stop, spot);
       visible(way, beyond.length > 0);
-      if (beyond.length > 0) way.setAttribute('d', `M${[spot, ...beyond].map(pair).join(' L')}`);
+      if (beyond.length > 0) setPath(way, `M${[spot, ...beyond].map(pair).join(' L')}`);
     },
   });
   return { letGo };

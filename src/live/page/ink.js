@@ -76,6 +76,12 @@ function localOf(/** @type {number[]} */ frame, /** @type {any} */ at, /** @type
   return [(d.x * x.x + d.y * x.y) / n, (d.y * x.x - d.x * x.y) / n];
 }
 
+/** Where an event is on a drawing; nothing where that is not shown. @param {SVGSVGElement} svg @param {any} event */
+function spotOf(svg, event) {
+  const matrix = svg.getScreenCTM();
+  return matrix && new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+}
+
 /** Numbers that are letters where they are small. @param {string} text */
 function uncoded(text) {
   const letters = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy';
@@ -83,9 +89,14 @@ function uncoded(text) {
     .map((one) => (one[0] === 'z' ? Number(one.slice(1, -1)) : letters.indexOf(one) - 30));
 }
 
+/** Has a stroke go so. @param {Element} stroke @param {string} path */
+function setPath(stroke, path) {
+  stroke.setAttribute('d', path);
+}
+
 /** Ink of one stroke, drawn so. @param {any} ink @param {string} path */
 function stroked(ink, path) {
-  ink.paths[0].setAttribute('d', path);
+  setPath(ink.paths[0], path);
   return true;
 }
 
@@ -194,7 +205,7 @@ class Panel {
       case 'strokes': return ink.at.every((/** @type {any} */ stroke, /** @type {number} */ i) => {
         const points = stroke[1].map((/** @type {any} */ p) => globalOf(p[0], p[1], seen));
         if (points.includes(null) || !ink.paths[i]) return false;
-        ink.paths[i].setAttribute('d', `M${points.map(pair).join(' L')}${stroke[0] ? ' Z' : ''}`);
+        setPath(ink.paths[i], `M${points.map(pair).join(' L')}${stroke[0] ? ' Z' : ''}`);
         return true;
       });
       case 'vector': return this.moveVector(ink, seen[ink.at[0]], seen[ink.at[1]]);
@@ -252,10 +263,10 @@ class Panel {
     // Drawn all the same: what is copied is measured by its shaft.
     const u = { x: d.x / (length || 1), y: d.y / (length || 1) };
     const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3), wide = Math.min(ink.width, head / 4);
-    ink.shaft.setAttribute('d', `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`);
+    setPath(ink.shaft, `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`);
     if (wide !== ink.wide) ink.shaft.setAttribute('stroke-width', mm(wide));
     ink.wide = wide;
-    ink.head.setAttribute('d', headOf(b, u, head));
+    setPath(ink.head, headOf(b, u, head));
     return true;
   }
 
@@ -269,10 +280,10 @@ class Panel {
     const size = Math.min(2.25, radius * Math.abs(turn) / 2), span = size / radius, sign = Math.sign(turn);
     const at = (/** @type {number} */ angle) => ({ x: centre.x + radius * Math.cos(angle), y: centre.y - radius * Math.sin(angle) });
     const end = turn - sign * span * 0.8;
-    paths[0].setAttribute('d', `M${pair(at(0))} A${mm(radius)} ${mm(radius)} 0 ${Math.abs(end) > Math.PI ? 1 : 0} ${end < 0 ? 1 : 0} ${pair(at(end))}`);
+    setPath(paths[0], `M${pair(at(0))} A${mm(radius)} ${mm(radius)} 0 ${Math.abs(end) > Math.PI ? 1 : 0} ${end < 0 ? 1 : 0} ${pair(at(end))}`);
     if (paths[1]) {
       const way = turn - sign * span / 2;
-      paths[1].setAttribute('d', headOf(at(turn), { x: -Math.sin(way) * sign, y: -Math.cos(way) * sign }, size));
+      setPath(paths[1], headOf(at(turn), { x: -Math.sin(way) * sign, y: -Math.cos(way) * sign }, size));
     }
     return true;
   }

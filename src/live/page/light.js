@@ -34,7 +34,7 @@ function highlights(page) {
     const ends = beside.map((place) => skeleton.now?.[place]);
     const drawn = ends.length === 2 && ends.every(Boolean);
     visible(line, drawn);
-    if (drawn) line.setAttribute('d', `M${pair(ends[0])} L${pair(ends[1])}`);
+    if (drawn) setPath(line, `M${pair(ends[0])} L${pair(ends[1])}`);
   }
 
   function light() {
@@ -77,10 +77,9 @@ function highlights(page) {
   // A vector is thin: the nearest one is meant, of those that are near enough for a mouse or a finger.
   for (const panel of panels) {
     const near = (/** @type {any} */ event) => {
-      const matrix = panel.svg.getScreenCTM();
-      if (!matrix) return null;
-      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-      let least = (event.pointerType === 'touch' ? 18 : 6) / matrix.a, nearest = null;
+      const at = spotOf(panel.svg, event);
+      if (!at) return null;
+      let least = (event.pointerType === 'touch' ? 18 : 6) / (panel.svg.getScreenCTM()?.a || 1), nearest = null;
       for (const ink of panel.ink) {
         const [a, b] = ink.move === 'vector' ? ink.at.map((/** @type {number} */ i) => panel.now[i]) : [];
         if (!a || !b || !live.quantities[ink.quantity] || !ink.element.isShown) continue;

@@ -43,6 +43,11 @@ function drawings(page) {
   return new XMLSerializer().serializeToString(all);
 }
 
+/** A unit as `sweep` writes it. @param {string} unit */
+function plainUnit(unit) {
+  return unit.replace('µ', 'u').replace('·', '*').replace('²', '^2').replace('³', '^3').replace('°', 'deg');
+}
+
 /** As `sweep` has it: a column for each number, its unit in the head, the position first; nothing where none is known. @param {Page} page */
 function csv(page) {
   const { kind, of, unit } = page.variable;
@@ -50,7 +55,7 @@ function csv(page) {
   const head = [`${kind}${of ? ` ${of}` : ''} [${unit}]`], line = [String(page.place())];
   for (const quantity of page.rows) {
     quantity.outputs.forEach((/** @type {number} */ output, /** @type {number} */ axis) => {
-      head.push(`${quantity.name}${axisOf(quantity.outputs, axis)}${quantity.unit ? ` [${quantity.unit}]` : ''}`);
+      head.push(`${quantity.name}${axisOf(quantity.outputs, axis)} [${plainUnit(quantity.unit)}]`);
       const value = page.outputs[output];
       line.push(value === null ? '' : String(value / quantity.si));
     });

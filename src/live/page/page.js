@@ -82,6 +82,7 @@ class Page {
     this.words = this.text.words;
     const { symbols, terms, steps } = this.text;
     this.figures = figuresOf(steps);
+    this.calculations = calculationsOf(steps);
     /** Names of quantities by what they are called in equations. */
     this.named = new Map([...Object.entries(symbols).map(([name, symbol]) => [symbol, name]), ...Object.entries(terms)]);
   }

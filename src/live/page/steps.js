@@ -1,7 +1,18 @@
 // The steps: what is drawn in each, its sentences and equations with the numbers of the position.
 
-// A number of a text is `[form, output, SI units of its unit, figures more than usual, panel]`.
-const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9;
+// A number of a text is `[form, output, SI units of its unit, figures more than usual, panel]`; between two places the output of the
+// other one stands last, and what a line calculates is `[form, its index, factors, divisors, figures more than usual, those at the start]`.
+const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9, BETWEEN = 10, CALCULATED = 11;
+
+/** What lines calculate, by its index. @param {any[]} steps */
+function calculationsOf(steps) {
+  return new Map(steps.flatMap(({ sentences }) => sentences.flat()).filter((piece) => piece[0] === CALCULATED && piece[2]).map((piece) => [piece[1], piece]));
+}
+
+/** The number that was printed so. @param {string | null} text */
+function valueOf(text) {
+  return text === null ? NaN : Number(plainText(text.replace('<sup>', 'e')).replace(/\s×\s10(?=e)|\s/g, '').replaceAll('\u2212', '-'));
+}
 
 /** The figures with which steps tell the numbers that begin with an output: of what is read those of its reading. */
 function figuresOf(/** @type {any[]} */ steps) {
@@ -23,16 +34,34 @@ function readings(page) {
   /** What is read by the scale. */
   let amount = '';
 
-  function numberHere(/** @type {any} */ [form, output, si, more, panel]) {
+  /** What a line calculates is calculated from what is printed in it. @param {any} piece @returns {string | null} */
+  function calculated([, index]) {
+    const [, , factors, divisors, more, own] = page.calculations.get(index);
+    const [over, under] = [factors, divisors].map((all) => all.reduce((/** @type {number} */ product, /** @type {any} */ part) =>
+      product * (Array.isArray(part) ? valueOf(numberHere(part)) : part), 1));
+    const value = Number((over / under).toPrecision(12)), digits = (value >= 1000 ? 4 : 3) + (page.isOwn ? own : more);
+    return Number.isFinite(value) ? raised(figures(value, digits + (isHalfWay(value, digits) ? 1 : 0), false)) : null;
+  }
+
+  /** @param {any} piece @returns {string | null} */
+  function numberHere(piece) {
+    const [form, output, si, more, panel] = piece;
+    if (form === CALCULATED) return calculated(piece);
     const { course, outputs, panels } = page, one = outputs[output];
     if (form === INPUT) return stated(page.at / si);
     if (form === AMOUNT) return amount;
     if (form === FACTOR) return stated(panels[output].siPerMm / si);
+    if (form === BETWEEN) {
+      const [x, y] = [0, 1].map((axis) => (outputs[output + axis] === null || outputs[panel + axis] === null ? NaN : outputs[panel + axis] - outputs[output + axis]));
+      const size = Math.hypot(x, y) / si;
+      return Number.isFinite(size) ? fixed(size, more) : null;
+    }
     const isVector = [LENGTH, ON_PAPER, DIRECTION, READ].includes(form);
     if (one === null || (isVector && outputs[output + 1] === null)) return null;
-    if (form === SENSE) return one === 0 ? '' : page.text.senses[one > 0 ? 0 : 1];
     if (!isVector) {
       const value = clearNumber(course, outputs, output);
+      // What is not told from zero has no sense.
+      if (form === SENSE) return value === 0 ? '' : page.text.senses[value > 0 ? 0 : 1];
       return form === SIGNED ? withPower(value / si, more) : amountText(page, output, Math.abs(value), si, more);
     }
     const [size, angle] = clearVector(course, outputs, output);

@@ -115,11 +115,11 @@ class CurveDiagram {
     const y = (/** @type {number} */ value) => Math.min(1000, Math.max(-680, 320 - (value - low) / (high - low) * 320)).toFixed(1);
     // From beyond one border to beyond the other it goes through infinity, not through the box.
     const side = (/** @type {number} */ value) => (value > high ? 1 : value < low ? -1 : 0);
-    this.curve.setAttribute('d', runs.map((run) => run.map((node, i) => {
+    setPath(this.curve, runs.map((run) => run.map((node, i) => {
       const through = i > 0 && side(node[1]) * side(run[i - 1][1]) < 0;
       return `${i && !through ? 'L' : 'M'}${this.xOf(node[0]).toFixed(1)} ${y(node[1])}`;
     }).join('')).join(''));
-    this.zero.setAttribute('d', `M0 ${y(0)} H1000`);
+    setPath(this.zero, `M0 ${y(0)} H1000`);
     this.tick(low, high, variable);
     return { low: low + room, high: high - room };
   }
@@ -141,11 +141,11 @@ class CurveDiagram {
     for (const [least, most, axis, step] of [[from, to, 'x', degrees || roundUp((to - from) / 6)], [low, high, 'y', roundUp((high - low) / 5)]]) {
       for (let i = Math.ceil(least / step); i * step <= most; i++) put(Number((i * step).toPrecision(12)), (i * step - least) / (most - least), axis);
     }
-    this.grid.setAttribute('d', grid);
+    setPath(this.grid, grid);
   }
 
   /** @param {number} at */
   show(at) {
-    this.cursor.setAttribute('d', `M${this.xOf(at).toFixed(1)} 0 V320`);
+    setPath(this.cursor, `M${this.xOf(at).toFixed(1)} 0 V320`);
   }
 }
