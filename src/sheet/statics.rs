@@ -314,6 +314,9 @@ impl Teller<'_> {
         if let Some(governor) = &self.sheet.governor {
             lines.extend(self.governor_given(governor));
         }
+        // What is sought elsewhere than at the input is known from here on.
+        lines.extend(self.sheet.trial.iter().map(|trial| self.trial(trial)));
+        lines.extend(self.sheet.trials.iter().flat_map(|trials| self.trials(trials)));
         items.extend(lines.into_iter().map(Item::Sentence));
         items
     }
@@ -572,7 +575,7 @@ impl Teller<'_> {
                 ];
                 let result = Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link));
                 let formula = name("M").up(DOT).then(&name("ρ").squared());
-                let set = |n: &[Rich]| n[0].clone().up(TIMES).then(&n[1]).up("²");
+                let set = |n: &[Rich]| n[0].clone().up(TIMES).then(&squared(&n[1]));
                 lines.push(self.line(name("I"), formula, &factors, set, |n| n[0] * n[1] * n[1], result));
             }
             (Inertia::About(point, given), Some(mass)) if point != own.centre => {
@@ -586,7 +589,7 @@ impl Teller<'_> {
                 let about = Rich::italic("I").sub(&format!("{number},{}", self.n.index(point)));
                 let d = self.n.length(point, own.centre);
                 let formula = about.up(" − ").then(&name("M")).up(DOT).then(&d).up("²");
-                let set = |n: &[Rich]| n[0].clone().up(" − ").then(&n[1]).up(TIMES).then(&n[2]).up("²");
+                let set = |n: &[Rich]| n[0].clone().up(" − ").then(&n[1]).up(TIMES).then(&squared(&n[2]));
                 // In units that go together or in SI: the difference needs one unit.
                 lines.push(self.line(
                     name("I"),
@@ -898,15 +901,6 @@ impl Teller<'_> {
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
-        let driver = |input: usize| self.n.mechanism().driven_link(input).is_some_and(|link| body.has(link));
-        if let Some(trial) = &self.sheet.trial
-            && driver(0)
-        {
-            items.push(Item::Sentence(self.trial(trial)));
-        }
-        if let Some(trials) = self.sheet.trials.as_ref().filter(|_| index + 1 == self.sheet.bodies.len()) {
-            items.extend(self.trials(trials).into_iter().map(Item::Sentence));
-        }
         parts.push((panel, items));
         parts
     }
@@ -924,7 +918,11 @@ impl Teller<'_> {
         });
         let mut later = (index + 1..bodies.len()).filter(|later| !bodies[*later].with_next);
         let gives = |later: &usize| bodies[*later].acting.iter().any(|acting| same(acting.action));
-        later.find(gives).filter(|_| in_parts).unwrap_or(index)
+        // Told together with it, a body whose polygon is laid off first.
+        let together = |later: usize| {
+            bodies[later].gives && bodies[index..later].iter().all(|between| between.with_next)
+        };
+        later.find(gives).filter(|later| in_parts || together(*later)).unwrap_or(index)
     }
 
     /// Three forces that meet in a point.
@@ -1282,7 +1280,17 @@ impl Teller<'_> {
             About::Point(point) => self.n.point(point),
             About::Meet { on, of, .. } => {
                 let name = super::forces::meet_name(on, self.n);
-                let [one, other] = of.map(|action| self.symbol(action));
+                // Of what moments have given in part it is the line of the rest.
+                let [one, other] = of.map(|action| {
+                    let across = |moments: &MomentBalance| match moments.found.of {
+                        Turning::Across(other) => either(other) == either(action),
+                        _ => false,
+                    };
+                    match self.sheet.moments.iter().any(across) {
+                        true => super::force_names::part(self.n, action, self.n.profile.normal),
+                        false => self.symbol(action),
+                    }
+                });
                 let parts = [("one", one), ("other", other), ("point", name.clone())];
                 lines.insert(0, Rich::fill(words.lines_meet, &parts));
                 name
@@ -1681,6 +1689,14 @@ impl Teller<'_> {
         let parts = [("point", self.n.point(about)), ("equation", equation)];
         lines.push(Rich::fill(words.shaking_line, &parts));
         lines
+    }
+}
+
+/// The square of a number; with its unit it stands in brackets.
+fn squared(number: &Rich) -> Rich {
+    match number.plain().contains(char::is_alphabetic) {
+        true => Rich::upright("(").then(number).up(")²"),
+        false => number.clone().up("²"),
     }
 }
 

@@ -475,6 +475,11 @@ impl Draughtsman<'_> {
             let known = terms.find_map(|moments| {
                 moments.terms.iter().chain([&moments.found]).find(|term| same(term)).and_then(|term| term.arm)
             });
+            // With a couple beside it a force has another line than through its pin.
+            let coupled = self.items_of(action, self.told).is_ok_and(|items| {
+                items.iter().filter_map(|item| item.couple).any(|couple| couple.value() != 0.0)
+            });
+            let known = known.filter(|_| !coupled || matches!(action, Action::Inertia(_)));
             let of_inertia = matches!(action, Action::Inertia(link)
                 if self.mechanism.forces.mass(link).is_some_and(|mass| mass.centre == pin));
             let touches = self.mechanism.forces.friction.circle(pin).is_some();
@@ -605,7 +610,11 @@ impl Draughtsman<'_> {
                 self.board.read(mm, scale).value()
             };
             let turns = !self.translates[mass.link.0];
-            let alpha = turns.then(|| self.rate(Order::Acceleration, mass.link).value());
+            // What its own error does not tell from zero is none.
+            let alpha = turns.then(|| {
+                let rate = self.rate(Order::Acceleration, mass.link);
+                if self.board.is_no_amount(rate) { 0.0 } else { rate.value() }
+            });
             let (link, centre) = (mass.link, mass.centre);
             all.push(MassForces { link, centre, mass: kilograms, inertia, weight, acceleration, alpha });
         }

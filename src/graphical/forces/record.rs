@@ -53,7 +53,13 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     let taken: Vec<Taken> = balance.taken.iter().filter(told).cloned().collect();
     let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
-    let mut found = Found { members: members.clone(), ..Found::default() };
+    // What moments of the driven link give needs no trial.
+    let by_driven = |taken: &Taken| {
+        let first = taken.links.first().copied();
+        matches!(taken.found, TakenFor::Effort(_)) && first.is_some_and(|link| d.sought_on(link).is_some())
+    };
+    let tried = (trial.is_some() || trials.is_some()) && !taken.iter().any(by_driven);
+    let mut found = Found { members: members.clone(), tried, ..Found::default() };
     for &group in plan.forces.groups.iter().rev() {
         let mut links = d.structure.groups[group].links.clone();
         let joined: Vec<Vec<LinkId>> =
@@ -200,12 +206,14 @@ pub(super) struct Found {
     by_moments: Vec<Action>,
     /// Links that have two forces together.
     members: Vec<(Vec<LinkId>, [PointId; 2])>,
+    /// What is sought elsewhere than at an input was found by trials.
+    tried: bool,
 }
 
 impl Found {
     /// What moments give, before any body is in balance.
     pub(super) const fn of_moments(by_moments: Vec<Action>) -> Self {
-        Self { known: Vec::new(), by_moments, members: Vec::new() }
+        Self { known: Vec::new(), by_moments, members: Vec::new(), tried: false }
     }
 
     pub(super) fn learn(&mut self, bodies: &[FreeBody]) {
@@ -326,6 +334,11 @@ impl Draughtsman<'_> {
         let moments: Vec<MomentBalance> =
             taken.iter().filter_map(|taken| self.moment_balance(taken, &bodies)).collect();
         let mut told = super::order::Told::new(self.mechanism, &found.known);
+        if found.tried {
+            let forces = &self.mechanism.forces;
+            (0..forces.loads.len()).for_each(|index| told.learn_force(Action::Load(index)));
+            (0..forces.springs.len()).for_each(|index| told.learn_force(Action::Spring { index, end: 0 }));
+        }
         // What a trial left open and found.
         for closing in open {
             match *closing {
@@ -623,14 +636,18 @@ impl Draughtsman<'_> {
         pins.collect()
     }
 
-    /// The pins that are cut free once these links are shown: those that are driven along a guide, or all.
+    /// The pins that are cut free once these links are shown: those that are driven along a guide or ride on the frame, or
+    /// all.
     fn pins_among(&self, chunk: &[LinkId], all: bool, bodies: &[FreeBody]) -> Vec<PointId> {
         let m = self.mechanism;
         let shown = |link: &LinkId| chunk.contains(link) || bodies.iter().any(|body| body.has(*link));
         let pins = (0..m.points.len()).map(PointId).filter(|pin| {
-            let parties = m.parties_at(*pin);
-            (all || m.drive_of_pin(*pin).is_some())
-                && (parties.len() > 2 || self.carrier_of_whole(*pin).is_some())
+            let rides = m.slots_at(*pin, LinkId::FRAME) > 0;
+            let mut parties = m.parties_at(*pin);
+            let many = parties.len() > 2;
+            parties.retain(|link| !(rides && *link == LinkId::FRAME));
+            (all || rides || m.drive_of_pin(*pin).is_some())
+                && (many || self.carrier_of_whole(*pin).is_some())
                 && !bodies.iter().any(|body| body.of == Party::Pin(*pin))
                 && parties.iter().all(shown)
                 && parties.iter().any(|link| chunk.contains(link))
@@ -698,14 +715,16 @@ impl Draughtsman<'_> {
         }
         for (index, load) in forces.loads.iter().enumerate().filter(|(_, load)| load.link == link) {
             if !load.is_torque() {
-                let known = if load.is_sought() { Knowledge::Line } else { Knowledge::Full };
+                let open = load.is_sought() && !found.tried;
+                let known = if open { Knowledge::Line } else { Knowledge::Full };
                 wanted.push((Action::Load(index), known));
             }
         }
         for (index, spring) in forces.springs.iter().enumerate() {
             if let SpringKind::Pull(ends) = spring.kind {
                 for (end, _) in ends.iter().enumerate().filter(|(_, (of, _))| *of == link) {
-                    let known = if spring.is_sought() { Knowledge::Line } else { Knowledge::Full };
+                    let open = spring.is_sought() && !found.tried;
+                    let known = if open { Knowledge::Line } else { Knowledge::Full };
                     wanted.push((Action::Spring { index, end }, known));
                 }
             }
@@ -930,7 +949,8 @@ impl Draughtsman<'_> {
             for pair in m.pairs_between(by, on) {
                 let action = match pair {
                     crate::mechanism::force::Through::Pin(pin) if m.parties_at(pin).len() > 2 => {
-                        Action::OfPin(pin, on)
+                        // A pin that rides on the frame is pressed by it once, whatever meets there.
+                        if m.slots_at(pin, by) > 0 { Action::OnPin(by, pin) } else { Action::OfPin(pin, on) }
                     }
                     crate::mechanism::force::Through::Roll(roll) => m.force_of_roll(roll, on),
                     _ => Action::Pair { by, on },
