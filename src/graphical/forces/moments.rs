@@ -475,11 +475,12 @@ impl Draughtsman<'_> {
             let known = terms.find_map(|moments| {
                 moments.terms.iter().chain([&moments.found]).find(|term| same(term)).and_then(|term| term.arm)
             });
-            // With a couple beside it a force has another line than through its pin.
+            // With a couple beside it the force of a pair has another line than through its pin.
+            let of_pair = matches!(action, Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..));
             let coupled = self.items_of(action, self.told).is_ok_and(|items| {
                 items.iter().filter_map(|item| item.couple).any(|couple| couple.value() != 0.0)
             });
-            let known = known.filter(|_| !coupled || matches!(action, Action::Inertia(_)));
+            let known = known.filter(|_| !(of_pair && coupled));
             let of_inertia = matches!(action, Action::Inertia(link)
                 if self.mechanism.forces.mass(link).is_some_and(|mass| mass.centre == pin));
             let touches = self.mechanism.forces.friction.circle(pin).is_some();

@@ -308,8 +308,7 @@ class Panel {
       const { anchors: [one, two], by, element, half: [wide, high] } = label;
       const a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
       let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || Boolean(outputs[label.output]));
-      if (shown && !two) shown = a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
-      if (shown && two && polygon) shown = sizeOf(minus(b, a)) >= 4;
+      if (shown) shown = two ? !polygon || sizeOf(minus(b, a)) >= 4 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
       label.spot = null;
       if (!shown) {
         visible(element, false);

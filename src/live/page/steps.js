@@ -52,7 +52,7 @@ function readings(page) {
     if (form === AMOUNT) return amount;
     if (form === FACTOR) return stated(panels[output].siPerMm / si);
     if (form === BETWEEN) {
-      const [x, y] = [0, 1].map((axis) => (outputs[output + axis] === null || outputs[panel + axis] === null ? NaN : outputs[panel + axis] - outputs[output + axis]));
+      const [x, y] = [0, 1].map((axis) => (outputs[panel + axis] ?? NaN) - (outputs[output + axis] ?? NaN));
       const size = Math.hypot(x, y) / si;
       return Number.isFinite(size) ? fixed(size, more) : null;
     }
