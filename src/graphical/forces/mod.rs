@@ -110,8 +110,8 @@ pub(super) struct Balance {
     pub(super) as_one: Vec<Vec<LinkId>>,
     /// Links that have two forces together, and the points at which these act.
     pub(super) members: Vec<(Vec<LinkId>, [PointId; 2])>,
-    /// Pins of two links that are driven along a guide of one, of which moments give what they pass on in all, with that
-    /// link.
+    /// Pins that are driven along a guide which does not pass its lever's base, with the lever: moments give what they pass
+    /// on in all.
     pub(super) whole_pins: Vec<(PointId, LinkId)>,
     /// Moments that gave a size, in the order in which they were taken.
     pub(super) taken: Vec<Taken>,
