@@ -756,42 +756,20 @@ impl Wanted<'_> {
             Quantity::Force(force, share) => self.force(force, share),
             // It is drawn from whole turns, not from this instant.
             Quantity::Cycle(_) => {}
-            Quantity::Velocity(p)
-            | Quantity::Acceleration(p)
-            | Quantity::Normal(p)
-            | Quantity::Tangential(p)
-            | Quantity::PathRadius(p)
-            | Quantity::Position(p) => self.point(p, order),
-            Quantity::RelativeVelocity(b, a)
-            | Quantity::RelativeAcceleration(b, a)
-            | Quantity::RelativeNormal(b, a)
-            | Quantity::RelativeTangential(b, a) => {
-                self.point(b, order);
-                self.point(a, order);
-            }
-            Quantity::Omega(link) | Quantity::Alpha(link) | Quantity::Angle(link) => self.link(link, order),
-            Quantity::RelativeOmega(i, j)
-            | Quantity::RelativeAlpha(i, j)
-            | Quantity::Rub(_, i, j)
-            | Quantity::Ratio(i, j)
-            | Quantity::Advantage(i, j)
-            | Quantity::Transmission(i, j) => {
+            Quantity::Centre(i, j) => self.centre(i, j),
+            // Of a pin that rubs only the turning of its links counts, and of a contact how one body moves.
+            Quantity::Rub(_, i, j) => {
                 self.link(i, order);
                 self.link(j, order);
             }
-            Quantity::Centre(i, j) => self.centre(i, j),
-            Quantity::Slip(p, link)
-            | Quantity::SlipAcceleration(p, link)
-            | Quantity::SlipNormal(p, link)
-            | Quantity::SlipTangential(p, link)
-            | Quantity::CoincidentVelocity(p, link)
-            | Quantity::CoincidentAcceleration(p, link)
-            | Quantity::CoincidentNormal(p, link)
-            | Quantity::CoincidentTangential(p, link)
-            | Quantity::ContactNormal(p, link, _)
-            | Quantity::Coriolis(p, link) => {
+            Quantity::ContactNormal(p, link, _) => {
                 self.point(p, order);
                 self.link(link, order);
+            }
+            _ => {
+                let (points, links) = quantity.about();
+                points.into_iter().flatten().for_each(|point| self.point(point, order));
+                links.into_iter().flatten().for_each(|link| self.link(link, order));
             }
         }
         if let Quantity::Transmission(i, j) = *quantity {

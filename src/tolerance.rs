@@ -11,7 +11,7 @@ use crate::board::Hand;
 use crate::graphical::construction::{Act, Calculation, Construction};
 use crate::graphical::{Draughtsmen, HandError, Scales, Slip, Slips};
 use crate::mechanism::force::Force;
-use crate::mechanism::quantity::{Answer, Quantity};
+use crate::mechanism::quantity::{Answer, Nature, Quantity};
 use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 use crate::scene::Scene;
 use crate::solve::{SolveError, Solved, by_hand};
@@ -93,7 +93,7 @@ impl Allowance {
 /// Whether the two components of a quantity are a place, which has no direction of its own.
 #[must_use]
 pub fn is_place(quantity: &Quantity) -> bool {
-    matches!(quantity, Quantity::Position(_) | Quantity::Centre(..))
+    quantity.nature() == Nature::Place
 }
 
 /// Whether a number is an angle: part of a turn and not of itself.

@@ -7,7 +7,7 @@ use crate::common;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use linkgram::scene::{self, QUANTITIES};
+use linkgram::scene::{self, names_of_quantities};
 use serde_json::Value;
 
 const TOPICS: [&str; 10] =
@@ -225,9 +225,7 @@ fn help_prints_the_topics() {
 #[test]
 fn the_table_of_quantities_is_whole() {
     let text = text_of("quantities");
-    for named in QUANTITIES {
-        for (form, meaning) in named.forms {
-            assert!(text.contains(&format!("| `{form}` | {meaning} |")), "{form}: {meaning}");
-        }
+    for (form, meaning) in names_of_quantities() {
+        assert!(text.contains(&format!("| `{form}` | {meaning} |")), "{form}: {meaning}");
     }
 }

@@ -12,7 +12,7 @@ use crate::double_double::DoubleDouble;
 use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::friction::{Rub, RubbedBy, RubbingPair};
-use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Method, Nature, Quantity};
 use crate::plan::Extent;
 use crate::report::{short, significant, two_digits};
 use crate::scene::{Scene, Units};
@@ -216,18 +216,12 @@ fn value_and_direction(asked: &Asked, answer: &Answer, digits: usize) -> (String
 
 /// Whether a quantity is a place, whose coordinates are told.
 fn is_place(quantity: &Quantity) -> bool {
-    matches!(quantity, Quantity::Position(_) | Quantity::Centre(..))
+    quantity.nature() == Nature::Place
 }
 
 /// Whether a scalar turns, ccw or cw.
 fn has_sense(quantity: &Quantity) -> bool {
-    if let Quantity::Force(force, _) = quantity {
-        return force.turns();
-    }
-    matches!(
-        quantity,
-        Quantity::Omega(_) | Quantity::RelativeOmega(..) | Quantity::Alpha(_) | Quantity::RelativeAlpha(..)
-    )
+    quantity.nature() == Nature::Rotation
 }
 
 /// The name of a quantity, with the method by which it is asked where that is not the polygon.

@@ -2,7 +2,7 @@
 
 use crate::graphical::construction::Construction;
 use crate::mechanism::force::{Action, Force, Through};
-use crate::mechanism::quantity::{Answer, Asked, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Nature, Quantity};
 use crate::mechanism::{LinkId, Path, Rider};
 use crate::scene::Scene;
 use crate::sheet::{Marked, Part};
@@ -109,28 +109,14 @@ pub(crate) fn share_without_direction(scene: &Scene, quantity: Quantity, right: 
     match (quantity, right) {
         (Quantity::Position(_) | Quantity::Centre(..), _) => 1.0,
         (_, [x, y]) if *x != 0.0 || *y != 0.0 => 1.0 - direction_part(scene, quantity),
-        (
-            Quantity::Omega(_)
-            | Quantity::RelativeOmega(..)
-            | Quantity::Alpha(_)
-            | Quantity::RelativeAlpha(..),
-            [value],
-        ) if *value < 0.0 => WITHOUT_SENSE / 100.0,
-        (Quantity::Force(force, _), [value]) if force.turns() && *value < 0.0 => WITHOUT_SENSE / 100.0,
+        (quantity, [value]) if quantity.nature() == Nature::Rotation && *value < 0.0 => WITHOUT_SENSE / 100.0,
         _ => 1.0,
     }
 }
 
 /// Which part of its marks a number has that has the right size and the other sense; none where it has no sense.
 pub(crate) fn share_of_opposite(quantity: Quantity) -> f64 {
-    match quantity {
-        Quantity::Omega(_)
-        | Quantity::RelativeOmega(..)
-        | Quantity::Alpha(_)
-        | Quantity::RelativeAlpha(..) => WITHOUT_SENSE / 100.0,
-        Quantity::Force(force, _) if force.turns() => WITHOUT_SENSE / 100.0,
-        _ => 0.0,
-    }
+    if quantity.nature() == Nature::Rotation { WITHOUT_SENSE / 100.0 } else { 0.0 }
 }
 
 /// Which part of a vector's marks its direction has.

@@ -8,8 +8,8 @@ use super::scan::Scan;
 use crate::limits;
 use crate::mechanism::Sense;
 use crate::mechanism::force::Force;
-use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
-use crate::scene::asked::{Names, default_scale, measure};
+use crate::mechanism::quantity::{Asked, Dimension, Nature, Order, Quantity, Unit};
+use crate::scene::asked::{Names, default_scale};
 use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{self, Entry, Fields, Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
@@ -396,7 +396,7 @@ fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
             let fields = Fields::of(&entry.value, VALUE, expected)?;
             let unit = fields.get("unit").map(|unit| -> Res<Scale> {
                 let symbol = unit.text("the name of a unit")?;
-                Scale::parse(symbol, unit.at)?.must_be(measure(&asked.quantity), unit.at)
+                Scale::parse(symbol, unit.at)?.must_be(asked.quantity.measure(), unit.at)
             });
             let unit = unit.transpose()?;
             if let Some(list) = fields.get("components") {
@@ -464,8 +464,8 @@ fn through(item: Item, place: Option<&Value<'_>>, scales: &Scales) -> Res<Item> 
 /// A magnitude with a sense of rotation.
 pub(super) fn turned(item: &Item, sense: f64) -> Res<Given> {
     match item.given {
-        Given::Magnitude(size) if measure(&item.asked.quantity).turns() => Ok(Given::Signed(sense * size)),
-        Given::Signed(_) if measure(&item.asked.quantity).turns() => {
+        Given::Magnitude(size) if item.asked.quantity.measure().turns() => Ok(Given::Signed(sense * size)),
+        Given::Signed(_) if item.asked.quantity.measure().turns() => {
             let fault = Fault::new(item.at, format!("`{}` has its sense already", item.asked.name));
             Err(fault.mend("keep one of the two: `cw`, `ccw` or the sign"))
         }
@@ -495,7 +495,7 @@ pub(super) fn scalar(
 ) -> Res<Item> {
     let quantity = asked.quantity;
     let default = unit.unwrap_or_else(|| default_scale(&quantity, scales));
-    let stated = scales.stated(value, measure(&quantity), measure(&quantity).turns(), &default)?;
+    let stated = scales.stated(value, quantity.measure(), quantity.measure().turns(), &default)?;
     let si = stated.given.value;
     let given = match quantity {
         Quantity::Position(_) | Quantity::Centre(..) => {
@@ -543,7 +543,7 @@ pub(super) fn vector(
         return Err(Fault::new(at, format!("`{}` is a number, not a vector", asked.name)));
     }
     let default = unit.unwrap_or_else(|| default_scale(&asked.quantity, scales));
-    let stated = |value: &Value<'_>| scales.stated(value, measure(&asked.quantity), false, &default);
+    let stated = |value: &Value<'_>| scales.stated(value, asked.quantity.measure(), false, &default);
     let [a, b] = [stated(x)?, stated(y)?];
     let unit: Unit = a.scale.unit();
     let rounding = last_place(x).max(last_place(y)) / 2.0 * unit.si;
@@ -605,31 +605,12 @@ fn last_place(value: &Value<'_>) -> f64 {
 /// Whether a quantity has two components.
 #[must_use]
 pub(super) fn is_vector(quantity: &Quantity) -> bool {
-    !matches!(
-        quantity,
-        Quantity::Omega(_)
-            | Quantity::RelativeOmega(..)
-            | Quantity::Alpha(_)
-            | Quantity::RelativeAlpha(..)
-            | Quantity::Ratio(..)
-            | Quantity::Advantage(..)
-            | Quantity::Rub(..)
-            | Quantity::PathRadius(_)
-            | Quantity::Angle(_)
-            | Quantity::Transmission(..)
-            | Quantity::Cycle(_)
-    ) && !matches!(quantity, Quantity::Force(force, _) if !force.is_vector())
+    matches!(quantity.nature(), Nature::Vector | Nature::Place)
 }
 
 /// Whether a number carries neither sign nor sense.
 fn never_negative(quantity: &Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Rub(..)
-            | Quantity::PathRadius(_)
-            | Quantity::Transmission(..)
-            | Quantity::Force(Force::Offset(_) | Force::Arm(..) | Force::Spin, _)
-    )
+    quantity.nature() == Nature::Size
 }
 
 /// The figure of a key.
@@ -709,7 +690,7 @@ fn tolerances(fields: &Fields<'_, '_>, names: &Names<'_>, scales: &Scales, answe
                     }
                     None => {
                         let default = default_scale(&asked.quantity, scales);
-                        let stated = scales.stated(value, measure(&asked.quantity), false, &default)?;
+                        let stated = scales.stated(value, asked.quantity.measure(), false, &default)?;
                         Tolerance::Amount(stated.given.value)
                     }
                 };

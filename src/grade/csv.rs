@@ -5,7 +5,7 @@ use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_sense};
 use crate::limits;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::scene::Scene;
-use crate::scene::asked::{Names, measure};
+use crate::scene::asked::Names;
 use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, number};
@@ -106,7 +106,7 @@ fn quantity<'r>(
     if let (None, Some(x), Some(y)) = (field("value"), field("x"), field("y")) {
         let [x, y] = [x, y].map(|(text, at)| Value { at: *at, kind: Kind::Text(text.clone()) });
         let scale =
-            unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(measure(&asked.quantity), *at));
+            unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(asked.quantity.measure(), *at));
         let item = vector(asked, [&x, &y], scale.transpose()?, *at, scales)?;
         if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
             return Err(Fault::new(*at, "two components have their direction already"));
@@ -120,7 +120,7 @@ fn quantity<'r>(
     }
     let of_polygon = !matches!(asked.quantity, Quantity::Position(_) | Quantity::Centre(..));
     if let (Some((symbol, _)), Measure::Velocity | Measure::Acceleration, true) =
-        (unit, measure(&asked.quantity), of_polygon)
+        (unit, asked.quantity.measure(), of_polygon)
         && symbol == "mm"
     {
         let mm = number(text, *value_at)?.value;
@@ -129,7 +129,7 @@ fn quantity<'r>(
         answers.items.push(item);
         return Ok(());
     }
-    let unit = unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(measure(&asked.quantity), *at));
+    let unit = unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(asked.quantity.measure(), *at));
     let value = Value { at: *value_at, kind: Kind::Text(text.clone()) };
     let mut item = scalar(asked, &value, unit.transpose()?, *at, scales)?;
     if let Some((sense, at)) = field("sense") {

@@ -8,7 +8,7 @@ use super::judge::{Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
 use super::symbols::Symbols;
 use crate::graphical::construction::Label;
-use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::quantity::{Nature, Order, Quantity, Unit};
 
 /// A graded solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -399,14 +399,7 @@ fn graded(
 
 /// Whether the sign of a quantity is a sense of turning, and told as one.
 fn turns(quantity: &Quantity) -> bool {
-    match quantity {
-        Quantity::Omega(_)
-        | Quantity::RelativeOmega(..)
-        | Quantity::Alpha(_)
-        | Quantity::RelativeAlpha(..) => true,
-        Quantity::Force(force, _) => force.turns(),
-        _ => false,
-    }
+    quantity.nature() == Nature::Rotation
 }
 
 /// Which part of its marks an answer has that follows rightly and does not say where it points.

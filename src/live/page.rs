@@ -6,7 +6,7 @@ use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
 use crate::mechanism::LinkId;
-use crate::mechanism::quantity::{Asked, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Nature, Quantity, Unit};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
 use crate::sheet::figure::{Figure, Group, Node};
@@ -234,22 +234,11 @@ fn parts(quantity: Quantity) -> &'static [Part] {
 
 /// How the value of a quantity is told.
 fn kind(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Omega(_)
-        | Quantity::RelativeOmega(..)
-        | Quantity::Alpha(_)
-        | Quantity::RelativeAlpha(..) => "rotation",
-        Quantity::Position(_) | Quantity::Centre(..) => "place",
-        Quantity::Ratio(..)
-        | Quantity::Advantage(..)
-        | Quantity::Rub(..)
-        | Quantity::PathRadius(_)
-        | Quantity::Angle(_)
-        | Quantity::Transmission(..)
-        | Quantity::Cycle(_) => "number",
-        Quantity::Force(force, _) if force.turns() => "rotation",
-        Quantity::Force(force, _) if !force.is_vector() => "number",
-        _ => "vector",
+    match quantity.nature() {
+        Nature::Vector => "vector",
+        Nature::Place => "place",
+        Nature::Rotation => "rotation",
+        Nature::Signed | Nature::Size => "number",
     }
 }
 

@@ -64,19 +64,10 @@ pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
     all
 }
 
+/// Angles are told in degrees whatever the scene counts in.
 fn unit(scene: &Scene, quantity: Quantity) -> Unit {
-    let (length, time) = (&scene.units.length, &scene.units.time);
-    let per = |what: &str, si: f64, power: i32| match power {
-        0 => Unit { symbol: what.to_owned(), si },
-        1 => Unit { symbol: format!("{what}/{}", time.symbol), si: si / time.si },
-        _ => Unit { symbol: format!("{what}/{}^2", time.symbol), si: si / (time.si * time.si) },
-    };
-    match (quantity, quantity.order()) {
-        (Quantity::Angle(_), _) => Unit { symbol: "deg".to_owned(), si: PI / 180.0 },
-        (Quantity::Omega(_), _) => per("rad", 1.0, 1),
-        (Quantity::Alpha(_), _) => per("rad", 1.0, 2),
-        (_, Order::Position) => per(&length.symbol, length.si, 0),
-        (_, Order::Velocity) => per(&length.symbol, length.si, 1),
-        (_, Order::Acceleration) => per(&length.symbol, length.si, 2),
+    match quantity {
+        Quantity::Angle(_) => Unit { symbol: "deg".to_owned(), si: PI / 180.0 },
+        _ => crate::scene::unit_of(&quantity, scene),
     }
 }

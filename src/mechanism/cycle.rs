@@ -2,6 +2,7 @@
 //! be asked of them. Numbers stand as they were given.
 
 use super::curve::Curve;
+use super::quantity::Measure;
 use super::{Given, Input, LinkId, Mechanism};
 
 /// A turning-moment diagram.
@@ -135,6 +136,27 @@ pub enum CycleQuantity {
 }
 
 impl CycleQuantity {
+    /// What it measures.
+    #[must_use]
+    pub const fn measure(self) -> Measure {
+        match self {
+            Self::Mean
+            | Self::Work
+            | Self::Highest
+            | Self::Lowest
+            | Self::Fluctuation
+            | Self::Area(_)
+            | Self::Level(_) => Measure::Torque,
+            Self::Power => Measure::Power,
+            Self::OfEnergy | Self::OfSpeed => Measure::Number,
+            Self::Flywheel | Self::Inertia => Measure::Inertia,
+            Self::Crossing(_) | Self::AtHighest | Self::AtLowest | Self::AtMost | Self::AtLeast => {
+                Measure::Angle
+            }
+            Self::Most | Self::Least => Measure::AngularAcceleration,
+        }
+    }
+
     /// Whether it hangs on the order of the crossings from the beginning of the period.
     #[must_use]
     pub fn counts_crossings(self) -> bool {

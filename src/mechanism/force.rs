@@ -6,7 +6,7 @@
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::friction::Friction;
-use super::quantity::Order;
+use super::quantity::{Measure, Nature, Order};
 use super::spin::{Spin, SpinSpeed};
 use super::{Given, Input, LinkId, Mechanism, PointId, Rider};
 
@@ -830,6 +830,23 @@ impl Action {
 }
 
 impl Force {
+    /// What it measures.
+    #[must_use]
+    pub const fn measure(self) -> Measure {
+        match self {
+            Self::Vector(_) | Self::Along { .. } | Self::Across { .. } | Self::Drive(_) | Self::Pull(_) => {
+                Measure::Force
+            }
+            Self::Torque(_)
+            | Self::LoadTorque(_)
+            | Self::Twist(_)
+            | Self::InertiaTorque(_)
+            | Self::Moment(..) => Measure::Torque,
+            Self::Offset(_) | Self::Arm(..) => Measure::Length,
+            Self::Spin => Measure::AngularVelocity,
+        }
+    }
+
     /// As a scene names it.
     #[must_use]
     pub fn name(self, mechanism: &Mechanism) -> String {
@@ -897,20 +914,28 @@ impl Force {
 
     /// Whether it is a vector.
     #[must_use]
-    pub fn is_vector(self) -> bool {
-        matches!(self, Self::Vector(_) | Self::Along { .. } | Self::Across { .. })
+    pub const fn is_vector(self) -> bool {
+        matches!(self.nature(), Nature::Vector)
     }
 
     /// Whether its sign is a sense of rotation.
     #[must_use]
-    pub fn turns(self) -> bool {
-        matches!(
-            self,
+    pub const fn turns(self) -> bool {
+        matches!(self.nature(), Nature::Rotation)
+    }
+
+    /// Of what nature its value is.
+    #[must_use]
+    pub const fn nature(self) -> Nature {
+        match self {
+            Self::Vector(_) | Self::Along { .. } | Self::Across { .. } => Nature::Vector,
             Self::Torque(_)
-                | Self::LoadTorque(_)
-                | Self::Twist(_)
-                | Self::InertiaTorque(_)
-                | Self::Moment(..)
-        )
+            | Self::LoadTorque(_)
+            | Self::Twist(_)
+            | Self::InertiaTorque(_)
+            | Self::Moment(..) => Nature::Rotation,
+            Self::Drive(_) | Self::Pull(_) => Nature::Signed,
+            Self::Offset(_) | Self::Arm(..) | Self::Spin => Nature::Size,
+        }
     }
 }

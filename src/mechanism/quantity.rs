@@ -106,6 +106,58 @@ impl Order {
     }
 }
 
+/// What a number measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Metres.
+    Length,
+    /// Radians.
+    Angle,
+    /// Metres a second.
+    Velocity,
+    /// Metres a second, a second.
+    Acceleration,
+    /// Radians a second.
+    AngularVelocity,
+    /// Radians a second, a second.
+    AngularAcceleration,
+    /// A pure number.
+    Number,
+    /// Newtons.
+    Force,
+    /// Kilograms.
+    Mass,
+    /// Newton metres: a torque, a work.
+    Torque,
+    /// Kilogram metres squared.
+    Inertia,
+    /// Newtons a metre.
+    Stiffness,
+    /// Newton metres a radian: of a torsion spring.
+    TurningStiffness,
+    /// Pascals.
+    Pressure,
+    /// Watts.
+    Power,
+    /// Metres squared.
+    Area,
+}
+
+/// Of what nature the value of a quantity is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Nature {
+    /// A vector.
+    Vector,
+    /// A place: two coordinates.
+    Place,
+    /// A number whose sign is a sense of rotation, ccw positive.
+    Rotation,
+    /// A number with a sign.
+    Signed,
+    /// A number that is never negative, and has no sense.
+    Size,
+}
+
 /// What a diagram of the solution shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DiagramKind {
@@ -204,86 +256,254 @@ impl Quantity {
         }
     }
 
+    /// Of which kind it is: the table of all kinds.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        use Measure as M;
+        use Nature as N;
+        use Order as O;
+        Kind::Motion(match self {
+            Self::Velocity(_) => Row::velocity("v(B)", "velocity of point B"),
+            Self::RelativeVelocity(..) => Row::velocity("v(B/A)", "velocity of B relative to A"),
+            Self::CoincidentVelocity(..) => Row::velocity(
+                "v(A@4)",
+                "velocity of the point of link 4 that lies under the sliding pin A (textbooks: A4)",
+            ),
+            Self::Acceleration(_) => Row::acceleration("a(B)", "acceleration of point B"),
+            Self::RelativeAcceleration(..) => Row::acceleration("a(B/A)", "acceleration of B relative to A"),
+            Self::CoincidentAcceleration(..) => {
+                Row::acceleration("a(A@4)", "acceleration of the point of link 4 under the sliding pin A")
+            }
+            // Normal parts and Coriolis need velocities only, but they are vectors of the acceleration polygon.
+            Self::RelativeNormal(..) => {
+                Row::acceleration("an(B/A)", "normal part of a(B/A), for two points of one link")
+            }
+            Self::Normal(_) => {
+                Row::acceleration("an(B)", "normal part of a(B), for a point of a link pivoted to the frame")
+            }
+            Self::CoincidentNormal(..) => {
+                Row::acceleration("an(A@4)", "normal part of a(A@4), about the fixed pivot of link 4")
+            }
+            Self::ContactNormal(..) => Row::acceleration(
+                "an(A@4/3)",
+                "acceleration at the contact A of a point of link 4 relative to that of link 3",
+            ),
+            Self::RelativeTangential(..) => {
+                Row::acceleration("at(B/A)", "tangential part of a(B/A), for two points of one link")
+            }
+            Self::Tangential(_) => Row::acceleration(
+                "at(B)",
+                "tangential part of a(B), for a point of a link pivoted to the frame",
+            ),
+            Self::CoincidentTangential(..) => {
+                Row::acceleration("at(A@4)", "tangential part of a(A@4), about the fixed pivot of link 4")
+            }
+            Self::Omega(_) => Row::new(
+                "omega(3)",
+                "angular velocity of link 3, counter-clockwise positive",
+                O::Velocity,
+                M::AngularVelocity,
+                N::Rotation,
+            ),
+            Self::RelativeOmega(..) => Row::new(
+                "omega(3/2)",
+                "angular velocity of link 3 relative to link 2",
+                O::Velocity,
+                M::AngularVelocity,
+                N::Rotation,
+            ),
+            Self::Alpha(_) => Row::new(
+                "alpha(3)",
+                "angular acceleration of link 3, counter-clockwise positive",
+                O::Acceleration,
+                M::AngularAcceleration,
+                N::Rotation,
+            ),
+            Self::RelativeAlpha(..) => Row::new(
+                "alpha(3/2)",
+                "angular acceleration of link 3 relative to link 2",
+                O::Acceleration,
+                M::AngularAcceleration,
+                N::Rotation,
+            ),
+            Self::Ratio(..) => Row::new(
+                "ratio(4/2)",
+                "angular velocity of link 4 over that of link 2",
+                O::Velocity,
+                M::Number,
+                N::Signed,
+            ),
+            Self::Advantage(..) => Row::new(
+                "advantage(4/2)",
+                "mechanical advantage: torque at link 4 for a unit of torque at link 2",
+                O::Velocity,
+                M::Number,
+                N::Signed,
+            ),
+            Self::Slip(..) => {
+                Row::velocity("slip(A/4)", "velocity of pin A along link 4, relative to the point under it")
+            }
+            Self::SlipAcceleration(..) => {
+                Row::acceleration("aslip(A/4)", "acceleration of pin A as link 4 sees it, without Coriolis")
+            }
+            Self::SlipNormal(..) => {
+                Row::acceleration("aslipn(A/4)", "the part of aslip(A/4) normal to an arc guide")
+            }
+            Self::SlipTangential(..) => {
+                Row::acceleration("aslipt(A/4)", "the part of aslip(A/4) along an arc guide")
+            }
+            Self::Coriolis(..) => {
+                Row::acceleration("coriolis(A/4)", "Coriolis acceleration of pin A on link 4")
+            }
+            Self::Centre(..) => {
+                Row::new("I(1,3)", "instant centre of links 1 and 3", O::Velocity, M::Length, N::Place)
+            }
+            Self::Rub(..) => Row::new(
+                "rub(B,3/4)",
+                "the same at a pin of more than two links: between links 3 and 4",
+                O::Velocity,
+                M::Velocity,
+                N::Size,
+            ),
+            Self::PathRadius(_) => Row::new(
+                "rho(B)",
+                "radius of curvature of the path of B",
+                O::Acceleration,
+                M::Length,
+                N::Size,
+            ),
+            Self::Position(_) => Row::new("x(B)", "place of point B", O::Position, M::Length, N::Place),
+            Self::Angle(_) => Row::new(
+                "angle(3)",
+                "angle of the own x-axis of link 3 from +x",
+                O::Position,
+                M::Angle,
+                N::Signed,
+            ),
+            Self::Transmission(..) => Row::new(
+                "transmission(3/4)",
+                "angle between coupler 3 and output 4 at their pin, 0 to 180 degrees",
+                O::Position,
+                M::Angle,
+                N::Size,
+            ),
+            Self::Force(force, share) => return Kind::Force(*force, *share),
+            Self::Cycle(of) => return Kind::Cycle(*of),
+        })
+    }
+
     /// As a scene names it: `v(B/A)`.
     #[must_use]
     pub fn name(&self, mechanism: &Mechanism) -> String {
-        let p = |point: PointId| mechanism.point(point).name.as_str();
-        let l = |link: LinkId| mechanism.link(link).number;
-        match *self {
-            Self::Velocity(a) => format!("v({})", p(a)),
-            Self::RelativeVelocity(a, b) => format!("v({}/{})", p(a), p(b)),
-            Self::Acceleration(a) => format!("a({})", p(a)),
-            Self::RelativeAcceleration(a, b) => format!("a({}/{})", p(a), p(b)),
-            Self::RelativeNormal(a, b) => format!("an({}/{})", p(a), p(b)),
-            Self::RelativeTangential(a, b) => format!("at({}/{})", p(a), p(b)),
-            Self::Normal(a) => format!("an({})", p(a)),
-            Self::Tangential(a) => format!("at({})", p(a)),
-            Self::Omega(a) => format!("omega({})", l(a)),
-            Self::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
-            Self::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
-            Self::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
-            Self::Alpha(a) => format!("alpha({})", l(a)),
-            Self::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
-            Self::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
-            Self::SlipAcceleration(a, b) => format!("aslip({}/{})", p(a), l(b)),
-            Self::SlipNormal(a, b) => format!("aslipn({}/{})", p(a), l(b)),
-            Self::SlipTangential(a, b) => format!("aslipt({}/{})", p(a), l(b)),
-            Self::Coriolis(a, b) => format!("coriolis({}/{})", p(a), l(b)),
-            Self::CoincidentVelocity(a, b) => format!("v({}@{})", p(a), l(b)),
-            Self::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
-            Self::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
-            Self::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
-            Self::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
-            Self::Centre(a, b) => format!("I({},{})", l(a), l(b)),
-            Self::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
-            Self::PathRadius(a) => format!("rho({})", p(a)),
-            Self::Position(a) => format!("x({})", p(a)),
-            Self::Angle(a) => format!("angle({})", l(a)),
-            Self::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
-            Self::Force(force, share) => force.name(mechanism) + share.suffix(),
-            Self::Cycle(of) => of.name(),
+        match self.kind() {
+            Kind::Motion(row) => {
+                let (points, links) = self.about();
+                let points = points.into_iter().flatten().map(|point| mechanism.point(point).name.clone());
+                let links = links.into_iter().flatten().map(|link| mechanism.link(link).number.to_string());
+                row.written(points, links)
+            }
+            Kind::Force(force, share) => force.name(mechanism) + share.suffix(),
+            Kind::Cycle(of) => of.name(),
         }
     }
 
     /// What has to be solved for this quantity. Of a force that says its loads: see
     /// [`Forces::order`](super::force::Forces::order).
     #[must_use]
-    pub fn order(&self) -> Order {
-        match self {
-            Self::Position(_)
-            | Self::Angle(_)
-            | Self::Transmission(..)
-            | Self::Force(..)
-            | Self::Cycle(_) => Order::Position,
-            Self::Velocity(_)
-            | Self::RelativeVelocity(..)
-            | Self::Omega(_)
-            | Self::RelativeOmega(..)
-            | Self::Ratio(..)
-            | Self::Advantage(..)
-            | Self::Slip(..)
-            | Self::Centre(..)
-            | Self::Rub(..)
-            | Self::CoincidentVelocity(..) => Order::Velocity,
-            Self::Acceleration(_)
-            | Self::RelativeAcceleration(..)
-            | Self::RelativeTangential(..)
-            | Self::Tangential(_)
-            | Self::Alpha(_)
-            | Self::RelativeAlpha(..)
-            | Self::SlipAcceleration(..)
-            | Self::SlipTangential(..)
-            | Self::PathRadius(_)
-            // These need velocities only, but they are vectors of the acceleration polygon.
-            | Self::RelativeNormal(..)
-            | Self::Normal(_)
-            | Self::SlipNormal(..)
-            | Self::Coriolis(..)
-            | Self::CoincidentAcceleration(..)
-            | Self::ContactNormal(..)
-            | Self::CoincidentNormal(..)
-            | Self::CoincidentTangential(..) => Order::Acceleration,
+    pub const fn order(&self) -> Order {
+        match self.kind() {
+            Kind::Motion(row) => row.order,
+            Kind::Force(..) | Kind::Cycle(_) => Order::Position,
         }
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub const fn measure(&self) -> Measure {
+        match self.kind() {
+            Kind::Motion(row) => row.measure,
+            Kind::Force(force, _) => force.measure(),
+            Kind::Cycle(of) => of.measure(),
+        }
+    }
+
+    /// Of what nature its value is.
+    #[must_use]
+    pub const fn nature(&self) -> Nature {
+        match self.kind() {
+            Kind::Motion(row) => row.nature,
+            Kind::Force(force, _) => force.nature(),
+            Kind::Cycle(_) => Nature::Signed,
+        }
+    }
+}
+
+/// The kind of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Of the motion.
+    Motion(Row),
+    /// Of the forces, which have names of their own.
+    Force(Force, Share),
+    /// Of a turning-moment diagram, whose numbers have names of their own.
+    Cycle(CycleQuantity),
+}
+
+/// What is the same for all quantities of motion of a kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// A name of the kind: capital letters stand for points, digits for links.
+    pub form: &'static str,
+    /// What that is, in plain English.
+    pub meaning: &'static str,
+    /// What has to be solved for it.
+    pub order: Order,
+    /// What it measures.
+    pub measure: Measure,
+    /// Of what nature its value is.
+    pub nature: Nature,
+}
+
+impl Row {
+    const fn new(
+        form: &'static str,
+        meaning: &'static str,
+        order: Order,
+        measure: Measure,
+        nature: Nature,
+    ) -> Self {
+        Self { form, meaning, order, measure, nature }
+    }
+
+    /// A vector of the velocity polygon.
+    const fn velocity(form: &'static str, meaning: &'static str) -> Self {
+        Self::new(form, meaning, Order::Velocity, Measure::Velocity, Nature::Vector)
+    }
+
+    /// A vector of the acceleration polygon.
+    const fn acceleration(form: &'static str, meaning: &'static str) -> Self {
+        Self::new(form, meaning, Order::Acceleration, Measure::Acceleration, Nature::Vector)
+    }
+
+    /// The letters before the parenthesis.
+    #[must_use]
+    pub fn head(&self) -> &'static str {
+        self.form.split('(').next().unwrap_or_default()
+    }
+
+    /// The form with other points and links.
+    fn written(
+        &self,
+        mut points: impl Iterator<Item = String>,
+        mut links: impl Iterator<Item = String>,
+    ) -> String {
+        let inside = &self.form[self.head().len()..];
+        let other = |letter: char| match letter {
+            'A'..='Z' => points.next(),
+            '0'..='9' => links.next(),
+            _ => Some(letter.to_string()),
+        };
+        self.head().chars().map(String::from).chain(inside.chars().filter_map(other)).collect()
     }
 }
 

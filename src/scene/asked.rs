@@ -6,141 +6,154 @@ use super::draft::{Draft, is_straight};
 use super::force_names::{self, FORCES};
 use super::json::{Fields, Kind, Value};
 use super::keys;
-use super::units::{Measure, Scale, Scales};
+use super::units::{Scale, Scales};
 use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Share};
-use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
+use crate::mechanism::quantity::{self, Asked, Method, Order, Quantity, Row, Unit};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 
-/// A kind of quantity by the letters before the parenthesis.
-#[derive(Debug, Clone, Copy)]
-pub struct Named {
-    /// `v`, `omega`.
-    pub head: &'static str,
-    /// Its forms, each with what it means.
-    pub forms: &'static [(&'static str, &'static str)],
+/// How the name of a quantity of motion is read: what stands in its parentheses, and what of it must be so.
+#[derive(Clone, Copy)]
+enum Reading {
+    /// `v(B)`.
+    Point(fn(PointId) -> Quantity),
+    /// `an(B)`: a point of a link that turns about a fixed pin.
+    Pivoted(fn(PointId) -> Quantity),
+    /// `v(B/A)`.
+    Points(fn(PointId, PointId) -> Quantity),
+    /// `an(B/A)`: two points of one link.
+    OneLink(fn(PointId, PointId) -> Quantity),
+    /// `omega(3)`.
+    Link(fn(LinkId) -> Quantity),
+    /// `omega(3/2)`, `I(1,3)`.
+    Links(fn(LinkId, LinkId) -> Quantity),
+    /// `transmission(3/4)`: two links with a pin between them.
+    Pinned(fn(LinkId, LinkId) -> Quantity),
+    /// `v(A@4)`: a pin and a link on which it slides.
+    Under(fn(PointId, LinkId) -> Quantity),
+    /// `slip(A/4)`: a pin and a link on which it slides.
+    Sliding(fn(PointId, LinkId) -> Quantity),
+    /// `aslipn(A/4)`: a pin and a link on which it slides along an arc.
+    OnArc(fn(PointId, LinkId) -> Quantity),
+    /// `rub(B,3/4)`: a pin of two links; `rub(B)` where it has no others.
+    Rubbing(fn(PointId, LinkId, LinkId) -> Quantity),
 }
 
-/// Every name that a scene may ask for.
-pub const QUANTITIES: [Named; 49] = [
-    Named {
-        head: "v",
-        forms: &[
-            ("v(B)", "velocity of point B"),
-            ("v(B/A)", "velocity of B relative to A"),
-            ("v(A@4)", "velocity of the point of link 4 that lies under the sliding pin A (textbooks: A4)"),
-        ],
-    },
-    Named {
-        head: "a",
-        forms: &[
-            ("a(B)", "acceleration of point B"),
-            ("a(B/A)", "acceleration of B relative to A"),
-            ("a(A@4)", "acceleration of the point of link 4 under the sliding pin A"),
-        ],
-    },
-    Named {
-        head: "an",
-        forms: &[
-            ("an(B/A)", "normal part of a(B/A), for two points of one link"),
-            ("an(B)", "normal part of a(B), for a point of a link pivoted to the frame"),
-            ("an(A@4)", "normal part of a(A@4), about the fixed pivot of link 4"),
-        ],
-    },
-    Named {
-        head: "at",
-        forms: &[
-            ("at(B/A)", "tangential part of a(B/A), for two points of one link"),
-            ("at(B)", "tangential part of a(B), for a point of a link pivoted to the frame"),
-            ("at(A@4)", "tangential part of a(A@4), about the fixed pivot of link 4"),
-        ],
-    },
-    Named {
-        head: "omega",
-        forms: &[
-            ("omega(3)", "angular velocity of link 3, counter-clockwise positive"),
-            ("omega(3/2)", "angular velocity of link 3 relative to link 2"),
-        ],
-    },
-    Named {
-        head: "alpha",
-        forms: &[
-            ("alpha(3)", "angular acceleration of link 3, counter-clockwise positive"),
-            ("alpha(3/2)", "angular acceleration of link 3 relative to link 2"),
-        ],
-    },
-    Named { head: "ratio", forms: &[("ratio(4/2)", "angular velocity of link 4 over that of link 2")] },
-    Named {
-        head: "advantage",
-        forms: &[("advantage(4/2)", "mechanical advantage: torque at link 4 for a unit of torque at link 2")],
-    },
-    Named {
-        head: "slip",
-        forms: &[("slip(A/4)", "velocity of pin A along link 4, relative to the point under it")],
-    },
-    Named {
-        head: "aslip",
-        forms: &[("aslip(A/4)", "acceleration of pin A as link 4 sees it, without Coriolis")],
-    },
-    Named { head: "aslipn", forms: &[("aslipn(A/4)", "the part of aslip(A/4) normal to an arc guide")] },
-    Named { head: "aslipt", forms: &[("aslipt(A/4)", "the part of aslip(A/4) along an arc guide")] },
-    Named { head: "coriolis", forms: &[("coriolis(A/4)", "Coriolis acceleration of pin A on link 4")] },
-    Named { head: "I", forms: &[("I(1,3)", "instant centre of links 1 and 3")] },
-    Named {
-        head: "rub",
-        forms: &[
-            ("rub(B)", "rubbing speed at pin B; its `radius` stands in `pins`"),
-            ("rub(B,3/4)", "the same at a pin of more than two links: between links 3 and 4"),
-        ],
-    },
-    Named { head: "rho", forms: &[("rho(B)", "radius of curvature of the path of B")] },
-    Named { head: "x", forms: &[("x(B)", "place of point B")] },
-    Named { head: "angle", forms: &[("angle(3)", "angle of the own x-axis of link 3 from +x")] },
-    Named {
-        head: "transmission",
-        forms: &[(
-            "transmission(3/4)",
-            "angle between coupler 3 and output 4 at their pin, 0 to 180 degrees",
-        )],
-    },
-    FORCES[0],
-    FORCES[1],
-    FORCES[2],
-    FORCES[3],
-    FORCES[4],
-    FORCES[5],
-    FORCES[6],
-    FORCES[7],
-    FORCES[8],
-    FORCES[9],
-    FORCES[10],
-    FORCES[11],
-    FORCES[12],
-    FORCES[13],
-    FORCES[14],
-    CYCLE[0],
-    CYCLE[1],
-    CYCLE[2],
-    CYCLE[3],
-    CYCLE[4],
-    CYCLE[5],
-    CYCLE[6],
-    CYCLE[7],
-    CYCLE[8],
-    CYCLE[9],
-    CYCLE[10],
-    CYCLE[11],
-    CYCLE[12],
-    CYCLE[13],
-    CYCLE[14],
+/// The quantities of motion that a scene may ask for.
+const MOTION: [Reading; 29] = [
+    Reading::Point(Quantity::Velocity),
+    Reading::Points(Quantity::RelativeVelocity),
+    Reading::Under(Quantity::CoincidentVelocity),
+    Reading::Point(Quantity::Acceleration),
+    Reading::Points(Quantity::RelativeAcceleration),
+    Reading::Under(Quantity::CoincidentAcceleration),
+    Reading::OneLink(Quantity::RelativeNormal),
+    Reading::Pivoted(Quantity::Normal),
+    Reading::Under(Quantity::CoincidentNormal),
+    Reading::OneLink(Quantity::RelativeTangential),
+    Reading::Pivoted(Quantity::Tangential),
+    Reading::Under(Quantity::CoincidentTangential),
+    Reading::Link(Quantity::Omega),
+    Reading::Links(Quantity::RelativeOmega),
+    Reading::Link(Quantity::Alpha),
+    Reading::Links(Quantity::RelativeAlpha),
+    Reading::Links(Quantity::Ratio),
+    Reading::Links(Quantity::Advantage),
+    Reading::Sliding(Quantity::Slip),
+    Reading::Sliding(Quantity::SlipAcceleration),
+    Reading::OnArc(Quantity::SlipNormal),
+    Reading::OnArc(Quantity::SlipTangential),
+    Reading::Sliding(Quantity::Coriolis),
+    Reading::Links(Quantity::Centre),
+    Reading::Rubbing(Quantity::Rub),
+    Reading::Point(Quantity::PathRadius),
+    Reading::Point(Quantity::Position),
+    Reading::Link(Quantity::Angle),
+    Reading::Pinned(Quantity::Transmission),
 ];
 
-/// The forms of a name, for messages.
-fn written(named: &Named) -> String {
-    let forms: Vec<&str> = named.forms.iter().map(|(form, _)| *form).collect();
-    match forms.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => forms.concat(),
+/// The short form of the one quantity of motion that has two.
+const RUB: (&str, &str) = ("rub(B)", "rubbing speed at pin B; its `radius` stands in `pins`");
+
+impl Reading {
+    /// Its row in the table of quantities.
+    fn row(self) -> Option<Row> {
+        let (point, link) = (PointId(0), LinkId::FRAME);
+        let some = match self {
+            Self::Point(of) | Self::Pivoted(of) => of(point),
+            Self::Points(of) | Self::OneLink(of) => of(point, point),
+            Self::Link(of) => of(link),
+            Self::Links(of) | Self::Pinned(of) => of(link, link),
+            Self::Under(of) | Self::Sliding(of) | Self::OnArc(of) => of(point, link),
+            Self::Rubbing(of) => of(point, link, link),
+        };
+        match some.kind() {
+            quantity::Kind::Motion(row) => Some(row),
+            quantity::Kind::Force(..) | quantity::Kind::Cycle(_) => None,
+        }
     }
+
+    /// The quantity that a name means, if its parentheses hold as many operands as it has: one or two, or two parted by `@`.
+    fn read(self, name: &Name<'_, '_, '_>, inside: &str) -> Option<Res<Quantity>> {
+        let separator = if matches!(name.head, "I" | "rub") { ',' } else { '/' };
+        let two = inside.split_once(separator).map(|(first, second)| (first.trim(), second.trim()));
+        let under = inside.split_once('@').map(|(pin, link)| (pin.trim(), link.trim()));
+        Some(match (self, two, under) {
+            (Self::Point(of), None, None) => name.point(inside).map(of),
+            (Self::Pivoted(of), None, None) => name.pivoted(inside).map(of),
+            (Self::Link(of), None, None) => name.link(inside).map(of),
+            (Self::Points(of), Some((b, a)), _) => name.points(b, a).map(|(b, a)| of(b, a)),
+            (Self::OneLink(of), Some((b, a)), _) => name.one_link(b, a).map(|(b, a)| of(b, a)),
+            (Self::Links(of), Some((i, j)), _) => name.links(i, j).map(|(i, j)| of(i, j)),
+            (Self::Pinned(of), Some((i, j)), _) => name.pinned(i, j).map(|(i, j)| of(i, j)),
+            (Self::Under(of), None, Some((pin, link))) => {
+                name.sliding(pin, link, false).map(|(pin, link)| of(pin, link))
+            }
+            (Self::Sliding(of), Some((pin, link)), _) => {
+                name.sliding(pin, link, false).map(|(pin, link)| of(pin, link))
+            }
+            (Self::OnArc(of), Some((pin, link)), _) => {
+                name.sliding(pin, link, true).map(|(pin, link)| of(pin, link))
+            }
+            (Self::Rubbing(of), two, None) => {
+                let (pin, links) = two.map_or((inside, None), |(pin, links)| (pin, Some(links)));
+                name.rubbing(pin, links).map(|(pin, i, j)| of(pin, i, j))
+            }
+            _ => return None,
+        })
+    }
+}
+
+/// Every form of a name that a scene may ask for, such as `v(B/A)`, with what it means.
+pub fn names_of_quantities() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let motion = MOTION.into_iter().filter_map(Reading::row).flat_map(|row| {
+        let short = (row.head() == head_of(RUB.0)).then_some(RUB);
+        short.into_iter().chain([(row.form, row.meaning)])
+    });
+    motion.chain(FORCES).chain(CYCLE)
+}
+
+/// The letters before the parentheses of all names, each once.
+pub(super) fn heads() -> Vec<&'static str> {
+    let mut heads = Vec::new();
+    for head in names_of_quantities().map(|(form, _)| head_of(form)) {
+        if !heads.contains(&head) {
+            heads.push(head);
+        }
+    }
+    heads
+}
+
+/// The letters before the parenthesis of a name.
+pub(super) fn head_of(form: &str) -> &str {
+    form.split('(').next().unwrap_or_default()
+}
+
+/// The forms of a name by its head, for messages; `None` where nothing is named so.
+fn written(head: &str) -> Option<String> {
+    let named = names_of_quantities().filter(|(form, _)| head_of(form) == head);
+    let forms: Vec<&str> = named.map(|(form, _)| form).collect();
+    let (last, rest) = forms.split_last()?;
+    Some(if rest.is_empty() { (*last).to_owned() } else { format!("{} or {last}", rest.join(", ")) })
 }
 
 /// Reads `find`; without it, everything is asked.
@@ -285,7 +298,7 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
         None => default_scale(&quantity, draft.scales).unit(),
         Some(unit) => {
             let symbol = unit.text("the name of a unit")?;
-            Scale::parse(symbol, unit.at)?.must_be(measure(&quantity), unit.at)?.unit()
+            Scale::parse(symbol, unit.at)?.must_be(quantity.measure(), unit.at)?.unit()
         }
     };
     Ok(Asked { name: name.to_owned(), quantity, unit, method: Method::default() })
@@ -310,57 +323,12 @@ impl<'s> Names<'s> {
     }
 }
 
-/// What a quantity measures.
-pub(crate) fn measure(quantity: &Quantity) -> Measure {
-    match quantity {
-        Quantity::Velocity(_)
-        | Quantity::RelativeVelocity(..)
-        | Quantity::Slip(..)
-        | Quantity::CoincidentVelocity(..)
-        | Quantity::Rub(..) => Measure::Velocity,
-        Quantity::Acceleration(_)
-        | Quantity::RelativeAcceleration(..)
-        | Quantity::RelativeNormal(..)
-        | Quantity::RelativeTangential(..)
-        | Quantity::Normal(_)
-        | Quantity::Tangential(_)
-        | Quantity::SlipAcceleration(..)
-        | Quantity::SlipNormal(..)
-        | Quantity::SlipTangential(..)
-        | Quantity::CoincidentAcceleration(..)
-        | Quantity::ContactNormal(..)
-        | Quantity::CoincidentNormal(..)
-        | Quantity::CoincidentTangential(..)
-        | Quantity::Coriolis(..) => Measure::Acceleration,
-        Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
-        Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
-        Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
-        Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
-        Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
-        Quantity::Cycle(of) => cycle::measure(*of),
-        Quantity::Force(force, _) => match force {
-            Force::Vector(_)
-            | Force::Along { .. }
-            | Force::Across { .. }
-            | Force::Drive(_)
-            | Force::Pull(_) => Measure::Force,
-            Force::Torque(_)
-            | Force::LoadTorque(_)
-            | Force::Twist(_)
-            | Force::InertiaTorque(_)
-            | Force::Moment(..) => Measure::Torque,
-            Force::Offset(_) | Force::Arm(..) => Measure::Length,
-            Force::Spin => Measure::AngularVelocity,
-        },
-    }
-}
-
 /// The unit in which a quantity is answered where the scene says nothing.
 pub(crate) fn default_scale(quantity: &Quantity, scales: &Scales) -> Scale {
     match quantity {
         // A transmission angle is read in degrees whatever the scene counts in.
         Quantity::Transmission(..) => Scale::degrees(),
-        _ => scales.bare(measure(quantity)).clone(),
+        _ => scales.bare(quantity.measure()).clone(),
     }
 }
 
@@ -372,7 +340,7 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
         (0..mechanism.points.len()).map(PointId).filter(|p| !mechanism.is_fixed(*p)).collect();
     let mut asked = Vec::new();
     let mut ask = |name: String, quantity: Quantity| {
-        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)), method: Method::default() });
+        asked.push(Asked { name, quantity, unit: unit(quantity.measure()), method: Method::default() });
     };
     if let Some(cycle) = &mechanism.forces.cycle {
         for of in cycle::everything(cycle) {
@@ -405,23 +373,19 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
 struct Name<'n, 'd, 's> {
     whole: &'n str,
     at: usize,
-    /// How it should look.
-    named: &'static Named,
+    /// The letters before the parenthesis.
+    head: &'n str,
     draft: &'d Draft<'s>,
 }
 
 /// Reads a name, and that what it names exists.
 fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
-    let heads = || QUANTITIES.iter().map(|named| named.head);
     let unknown = |head: &str| {
         let fault = Fault::new(at, format!("`{name}` is not the name of a quantity"));
-        if let Some(named) = QUANTITIES.iter().find(|named| named.head == head) {
-            return fault.mend(format!("write {}", written(named)));
-        }
         // `omega3`, `vB`: the parentheses are forgotten.
         let letters = head.trim_end_matches(|c: char| c.is_ascii_digit() || c.is_uppercase());
-        match QUANTITIES.iter().find(|named| named.head == letters) {
-            Some(named) => fault.mend(format!("write {}", written(named))),
+        match written(head).or_else(|| written(letters)) {
+            Some(forms) => fault.mend(format!("write {forms}")),
             None => fault.known(head, heads()),
         }
     };
@@ -434,63 +398,10 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
     let (head, inside) = name.split_once('(').ok_or_else(|| unknown(name.trim()))?;
     let head = head.trim();
     let inside = inside.trim_end().strip_suffix(')').ok_or_else(|| unknown(head))?.trim();
-    let named = QUANTITIES.iter().find(|named| named.head == head).ok_or_else(|| unknown(head))?;
-    let head = named.head;
-    let name = Name { whole: name, at, named, draft };
-    let separator = if matches!(head, "I" | "rub") { ',' } else { '/' };
-    let (first, second) = match inside.split_once(separator) {
-        Some((first, second)) => (first.trim(), Some(second.trim())),
-        None => (inside, None),
-    };
-    if let (None, Some((pin, link))) = (second, first.split_once('@')) {
-        let (pin, link) = (pin.trim(), link.trim());
-        let under = |quantity: fn(PointId, LinkId) -> Quantity| {
-            name.sliding(pin, link, false).map(|(p, l)| quantity(p, l))
-        };
-        return match head {
-            "v" => under(Quantity::CoincidentVelocity),
-            "a" => under(Quantity::CoincidentAcceleration),
-            "an" => under(Quantity::CoincidentNormal),
-            "at" => under(Quantity::CoincidentTangential),
-            _ => Err(unknown(head)),
-        };
-    }
-    match (head, second) {
-        ("v", None) => Ok(Quantity::Velocity(name.point(first)?)),
-        ("a", None) => Ok(Quantity::Acceleration(name.point(first)?)),
-        ("v", Some(second)) => name.points(first, second).map(|(b, a)| Quantity::RelativeVelocity(b, a)),
-        ("a", Some(second)) => name.points(first, second).map(|(b, a)| Quantity::RelativeAcceleration(b, a)),
-        ("an", Some(second)) => name.one_link(first, second).map(|(b, a)| Quantity::RelativeNormal(b, a)),
-        ("at", Some(second)) => name.one_link(first, second).map(|(b, a)| Quantity::RelativeTangential(b, a)),
-        ("an", None) => Ok(Quantity::Normal(name.pivoted(first)?)),
-        ("at", None) => Ok(Quantity::Tangential(name.pivoted(first)?)),
-        ("omega", None) => Ok(Quantity::Omega(name.link(first)?)),
-        ("alpha", None) => Ok(Quantity::Alpha(name.link(first)?)),
-        ("angle", None) => Ok(Quantity::Angle(name.link(first)?)),
-        ("omega", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeOmega(b, a)),
-        ("alpha", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeAlpha(b, a)),
-        ("ratio", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Ratio(b, a)),
-        ("advantage", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Advantage(b, a)),
-        ("I", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Centre(b, a)),
-        ("transmission", Some(second)) => {
-            let (coupler, output) = name.links(first, second)?;
-            name.pinned(coupler, output)?;
-            Ok(Quantity::Transmission(coupler, output))
-        }
-        ("slip", Some(link)) => name.sliding(first, link, false).map(|(p, l)| Quantity::Slip(p, l)),
-        ("aslip", Some(link)) => {
-            name.sliding(first, link, false).map(|(p, l)| Quantity::SlipAcceleration(p, l))
-        }
-        ("coriolis", Some(link)) => name.sliding(first, link, false).map(|(p, l)| Quantity::Coriolis(p, l)),
-        ("aslipn", Some(link)) => name.sliding(first, link, true).map(|(p, l)| Quantity::SlipNormal(p, l)),
-        ("aslipt", Some(link)) => {
-            name.sliding(first, link, true).map(|(p, l)| Quantity::SlipTangential(p, l))
-        }
-        ("rub", links) => name.rubbing(first, links),
-        ("rho", None) => Ok(Quantity::PathRadius(name.point(first)?)),
-        ("x", None) => Ok(Quantity::Position(name.point(first)?)),
-        _ => Err(unknown(head)),
-    }
+    let name = Name { whole: name, at, head, draft };
+    let of_head = |reading: &Reading| reading.row().is_some_and(|row| row.head() == head);
+    let read = MOTION.into_iter().filter(of_head).find_map(|reading| reading.read(&name, inside));
+    read.unwrap_or_else(|| Err(unknown(head)))
 }
 
 impl<'n> Name<'n, '_, '_> {
@@ -498,12 +409,17 @@ impl<'n> Name<'n, '_, '_> {
         Fault::new(self.at, format!("`{}`: {}", self.whole, what.as_ref()))
     }
 
+    /// How it should look.
+    fn form(&self) -> String {
+        format!("write {}", written(self.head).unwrap_or_default())
+    }
+
     fn point(&self, name: &str) -> Res<PointId> {
         let points = &self.draft.mechanism.points;
         self.draft.point_named(name, self.at).map_err(|_| {
             let fault = self.fault(format!("there is no point `{name}`"));
             if name.parse::<u32>().is_ok() || name.is_empty() {
-                return fault.mend(format!("write {}", written(self.named)));
+                return fault.mend(self.form());
             }
             if let Some(meant) = self.coincident(name) {
                 return fault.mend(meant);
@@ -532,9 +448,9 @@ impl<'n> Name<'n, '_, '_> {
             .filter_map(|other| other.strip_prefix(letters)?.parse().ok())
             .filter_map(|number| self.draft.link_of(number, self.at).ok())
             .find(|link| slides(*link));
-        Some(match self.named.head {
+        Some(match self.head {
             "v" | "a" if pair && guide.is_some() => {
-                let head = if self.named.head == "v" { "slip" } else { "aslip" };
+                let head = if self.head == "v" { "slip" } else { "aslip" };
                 let number = guide.map_or(0, |link| self.draft.link(link).number);
                 format!(
                     "did you mean `{head}({letters}/{number})`, {letters} relative to the point of link {number} under it?"
@@ -554,7 +470,7 @@ impl<'n> Name<'n, '_, '_> {
         found.ok_or_else(|| {
             let fault = self.fault(format!("there is no link `{number}`"));
             if number.parse::<u32>().is_err() {
-                return fault.mend(format!("write {}", written(self.named)));
+                return fault.mend(self.form());
             }
             let known: Vec<String> =
                 self.draft.mechanism.links.iter().map(|l| l.number.to_string()).collect();
@@ -616,13 +532,14 @@ impl<'n> Name<'n, '_, '_> {
         }
         let fault =
             self.fault(format!("{name} stands in no link that is pivoted to the frame by a fixed pin"));
-        Err(fault.mend(format!("name a second point of its link: {}({name}/…)", self.named.head)))
+        Err(fault.mend(format!("name a second point of its link: {}({name}/…)", self.head)))
     }
 
     /// Two links with a pin between them.
-    fn pinned(&self, one: LinkId, other: LinkId) -> Res<()> {
+    fn pinned(&self, first: &str, second: &str) -> Res<(LinkId, LinkId)> {
+        let (one, other) = self.links(first, second)?;
         if self.draft.link(one).points.iter().any(|p| self.draft.stands_in(*p, other)) {
-            return Ok(());
+            return Ok((one, other));
         }
         let [one, other] = [one, other].map(|link| self.draft.say(link));
         Err(self.fault(format!("{one} and {other} have no pin in common")))
@@ -661,14 +578,14 @@ impl<'n> Name<'n, '_, '_> {
         Ok((point, link))
     }
 
-    fn rubbing(&self, pin: &str, links: Option<&str>) -> Res<Quantity> {
+    /// A pin and two of its links.
+    fn rubbing(&self, pin: &str, links: Option<&str>) -> Res<(PointId, LinkId, LinkId)> {
         let point = self.point(pin)?;
         let of = &self.draft.mechanism.point(point);
         let pair = match links {
             Some(links) => {
-                let (one, other) = links.split_once('/').ok_or_else(|| {
-                    self.fault("two links rub").mend(format!("write {}", written(self.named)))
-                })?;
+                let (one, other) =
+                    links.split_once('/').ok_or_else(|| self.fault("two links rub").mend(self.form()))?;
                 let pair = self.links(one.trim(), other.trim())?;
                 for link in [pair.0, pair.1] {
                     if !of.links.contains(&link) {
@@ -693,6 +610,6 @@ impl<'n> Name<'n, '_, '_> {
             let fault = self.fault(format!("the radius of pin {pin} is missing"));
             return Err(fault.mend(format!("add \"pins\": {{\"{pin}\": {{\"radius\": …}}}}")));
         }
-        Ok(Quantity::Rub(point, pair.0, pair.1))
+        Ok((point, pair.0, pair.1))
     }
 }

@@ -1,7 +1,6 @@
 //! The turning-moment diagram: `cycle`, curves over the input's angle, and the names of what may be asked of it.
 
 use super::InputUnits;
-use super::asked::Named;
 use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::forces::effort_of_link;
@@ -14,45 +13,26 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Given, Input};
 
 /// The numbers of a turning-moment diagram that a scene may ask for, besides those whose heads others share.
-pub(super) const CYCLE: [Named; 15] = [
-    Named { head: "Tmean", forms: &[("Tmean", "mean of the driving torque of the cycle")] },
-    Named { head: "E", forms: &[("E", "work of the driving torque in a period of the cycle")] },
-    Named { head: "power", forms: &[("power", "mean torque of the cycle times mean speed")] },
-    Named { head: "Emax", forms: &[("Emax", "highest level of energy in the cycle, from angle 0")] },
-    Named { head: "Emin", forms: &[("Emin", "lowest level of energy in the cycle, from angle 0")] },
-    Named { head: "Ef", forms: &[("Ef", "fluctuation of energy, Emax − Emin")] },
-    Named { head: "Ke", forms: &[("Ke", "coefficient of fluctuation of energy, Ef/|E|")] },
-    Named { head: "Ks", forms: &[("Ks", "coefficient of fluctuation of speed, Ef/(I ω²)")] },
-    Named {
-        head: "If",
-        forms: &[("If", "moment of inertia of the flywheel that is still needed at the input")],
-    },
-    Named {
-        head: "crossing",
-        forms: &[("crossing(2)", "angle of the second crossing of torque and load, from 0")],
-    },
-    Named { head: "area", forms: &[("area(2)", "work between the curves from crossing 2 to the next")] },
-    Named {
-        head: "level",
-        forms: &[("level(2)", "level of energy at crossing 2; of given areas, after area 2")],
-    },
-    Named { head: "I", forms: &[("I", "moment of inertia of `rotating`, referred to the input")] },
-    Named {
-        head: "angle",
-        forms: &[
-            ("angle(Emax)", "angle at the highest level of the cycle"),
-            ("angle(Emin)", "angle at the lowest level of the cycle"),
-            ("angle(alpha_max)", "angle of the cycle at alpha(max)"),
-            ("angle(alpha_min)", "angle of the cycle at alpha(min)"),
-        ],
-    },
-    Named {
-        head: "alpha",
-        forms: &[
-            ("alpha(max)", "greatest angular acceleration of the input in the cycle"),
-            ("alpha(min)", "least angular acceleration of the input in the cycle"),
-        ],
-    },
+pub(super) const CYCLE: [(&str, &str); 19] = [
+    ("Tmean", "mean of the driving torque of the cycle"),
+    ("E", "work of the driving torque in a period of the cycle"),
+    ("power", "mean torque of the cycle times mean speed"),
+    ("Emax", "highest level of energy in the cycle, from angle 0"),
+    ("Emin", "lowest level of energy in the cycle, from angle 0"),
+    ("Ef", "fluctuation of energy, Emax − Emin"),
+    ("Ke", "coefficient of fluctuation of energy, Ef/|E|"),
+    ("Ks", "coefficient of fluctuation of speed, Ef/(I ω²)"),
+    ("If", "moment of inertia of the flywheel that is still needed at the input"),
+    ("crossing(2)", "angle of the second crossing of torque and load, from 0"),
+    ("area(2)", "work between the curves from crossing 2 to the next"),
+    ("level(2)", "level of energy at crossing 2; of given areas, after area 2"),
+    ("I", "moment of inertia of `rotating`, referred to the input"),
+    ("angle(Emax)", "angle at the highest level of the cycle"),
+    ("angle(Emin)", "angle at the lowest level of the cycle"),
+    ("angle(alpha_max)", "angle of the cycle at alpha(max)"),
+    ("angle(alpha_min)", "angle of the cycle at alpha(min)"),
+    ("alpha(max)", "greatest angular acceleration of the input in the cycle"),
+    ("alpha(min)", "least angular acceleration of the input in the cycle"),
 ];
 
 /// Crossings, areas and levels are numbered up to here.
@@ -151,28 +131,6 @@ pub(super) fn everything(cycle: &Cycle) -> Vec<CycleQuantity> {
         }
     }
     all
-}
-
-/// What a number of the diagram measures.
-pub(super) fn measure(of: CycleQuantity) -> Measure {
-    match of {
-        CycleQuantity::Mean
-        | CycleQuantity::Work
-        | CycleQuantity::Highest
-        | CycleQuantity::Lowest
-        | CycleQuantity::Fluctuation
-        | CycleQuantity::Area(_)
-        | CycleQuantity::Level(_) => Measure::Torque,
-        CycleQuantity::Power => Measure::Power,
-        CycleQuantity::OfEnergy | CycleQuantity::OfSpeed => Measure::Number,
-        CycleQuantity::Flywheel | CycleQuantity::Inertia => Measure::Inertia,
-        CycleQuantity::Crossing(_)
-        | CycleQuantity::AtHighest
-        | CycleQuantity::AtLowest
-        | CycleQuantity::AtMost
-        | CycleQuantity::AtLeast => Measure::Angle,
-        CycleQuantity::Most | CycleQuantity::Least => Measure::AngularAcceleration,
-    }
 }
 
 /// Whether a scene is a diagram and nothing else: it needs no links.

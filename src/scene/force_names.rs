@@ -1,6 +1,6 @@
 //! Names of forces: `F(2,3)`, `T(2)`, `moment(FS,O2)`.
 
-use super::asked::Named;
+use super::asked::head_of;
 use super::diagnostic::{Fault, Res, list};
 use super::draft::Draft;
 use super::forces::{effort_of_link, effort_of_slide};
@@ -10,49 +10,27 @@ use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// The names of forces that a scene may ask for.
-pub(super) const FORCES: [Named; 15] = [
-    Named {
-        head: "F",
-        forms: &[
-            ("F(2,3)", "force of link 2 on link 3 through their pair"),
-            ("F(B,4)", "force of pin B on link 4, for pins of several links"),
-            ("F(4,B)", "force of link 4 on pin B"),
-            ("F(frame)", "all that moving links exert on the frame through pairs"),
-        ],
-    },
-    Named {
-        head: "Fn",
-        forms: &[("Fn(3,4/O4)", "part of F(3,4) along the line from O4 to the pin of links 3 and 4")],
-    },
-    Named { head: "Ft", forms: &[("Ft(3,4/O4)", "part of F(3,4) across that line")] },
-    Named {
-        head: "T",
-        forms: &[("T(2)", "torque of the surroundings on the driven link 2 that balances everything")],
-    },
-    Named { head: "drive", forms: &[("drive(D)", "force along the guide at the driven slide D")] },
-    Named { head: "load", forms: &[("load(P)", "the load named P, given or sought")] },
-    Named { head: "spring", forms: &[("spring(S)", "the pull of the spring named S")] },
-    Named {
-        head: "Fin",
-        forms: &[("Fin(3)", "inertia force of link 3, mass times acceleration of G, reversed")],
-    },
-    Named { head: "Tin", forms: &[("Tin(3)", "inertia torque of link 3")] },
-    Named { head: "h", forms: &[("h(3)", "distance of the inertia force of link 3 from its mass centre")] },
-    Named { head: "FS", forms: &[("FS", "shaking force, the sum of all inertia forces")] },
-    Named {
-        head: "moment",
-        forms: &[("moment(F(1,6),D)", "moment of a force about a point, with its couple")],
-    },
-    Named { head: "arm", forms: &[("arm(FS,O2)", "distance of the line of a force from a point")] },
-    Named { head: "Fc", forms: &[("Fc(3)", "force M ω² r of link 3 away from the axis of a governor")] },
-    Named {
-        head: "spin",
-        forms: &[
-            ("spin", "speed at which a governor is in equilibrium"),
-            ("spin(rising)", "the same with the sleeve about to move along its guide"),
-            ("spin(falling)", "the same with the sleeve about to move back"),
-        ],
-    },
+pub(super) const FORCES: [(&str, &str); 20] = [
+    ("F(2,3)", "force of link 2 on link 3 through their pair"),
+    ("F(B,4)", "force of pin B on link 4, for pins of several links"),
+    ("F(4,B)", "force of link 4 on pin B"),
+    ("F(frame)", "all that moving links exert on the frame through pairs"),
+    ("Fn(3,4/O4)", "part of F(3,4) along the line from O4 to the pin of links 3 and 4"),
+    ("Ft(3,4/O4)", "part of F(3,4) across that line"),
+    ("T(2)", "torque of the surroundings on the driven link 2 that balances everything"),
+    ("drive(D)", "force along the guide at the driven slide D"),
+    ("load(P)", "the load named P, given or sought"),
+    ("spring(S)", "the pull of the spring named S"),
+    ("Fin(3)", "inertia force of link 3, mass times acceleration of G, reversed"),
+    ("Tin(3)", "inertia torque of link 3"),
+    ("h(3)", "distance of the inertia force of link 3 from its mass centre"),
+    ("FS", "shaking force, the sum of all inertia forces"),
+    ("moment(F(1,6),D)", "moment of a force about a point, with its couple"),
+    ("arm(FS,O2)", "distance of the line of a force from a point"),
+    ("Fc(3)", "force M ω² r of link 3 away from the axis of a governor"),
+    ("spin", "speed at which a governor is in equilibrium"),
+    ("spin(rising)", "the same with the sleeve about to move along its guide"),
+    ("spin(falling)", "the same with the sleeve about to move back"),
 ];
 
 /// Reads the name of a force; `None` where it is none.
@@ -63,7 +41,7 @@ pub(super) fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Option<Quan
         n => (n, Share::Total),
     };
     let head = bare.split('(').next().unwrap_or_default().trim();
-    if !FORCES.iter().any(|named| named.head == head) || (head != bare && !bare.ends_with(')')) {
+    if !FORCES.iter().any(|(form, _)| head_of(form) == head) || (head != bare && !bare.ends_with(')')) {
         return Ok(None);
     }
     let name = ForceName { whole: name, at, draft };
@@ -165,8 +143,8 @@ impl ForceName<'_, '_, '_> {
 
     fn inside<'t>(&self, text: &'t str) -> Res<(&'t str, &'t str)> {
         let (head, rest) = text.split_once('(').ok_or_else(|| {
-            let forms = FORCES.iter().find(|named| named.head == text).map_or("", |named| named.forms[0].0);
-            self.fault("what it is of is missing").mend(format!("write {forms}"))
+            let form = FORCES.iter().find(|(form, _)| head_of(form) == text).map_or("", |(form, _)| form);
+            self.fault("what it is of is missing").mend(format!("write {form}"))
         })?;
         let inside = rest.strip_suffix(')').ok_or_else(|| self.fault("a parenthesis is not closed"))?;
         Ok((head.trim(), inside.trim()))

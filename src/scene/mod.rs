@@ -29,7 +29,7 @@ mod twice;
 pub(crate) mod units;
 mod vary;
 
-pub use asked::{Named, QUANTITIES};
+pub use asked::names_of_quantities;
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::{input_place, paper_size};
@@ -44,7 +44,7 @@ pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
         let (power, times) = if squared { ("^2", time.si * time.si) } else { ("", time.si) };
         Unit { symbol: format!("{symbol}/{}{power}", time.symbol), si: si / times }
     };
-    match asked::measure(quantity) {
+    match quantity.measure() {
         Measure::Length => length.clone(),
         Measure::Angle => angle.clone(),
         Measure::Velocity => per(&length.symbol, length.si, false),

@@ -1,6 +1,6 @@
 //! What somebody printed, and which of it is known to be wrong.
 
-use super::asked::{asked, default_scale, measure};
+use super::asked::{asked, default_scale};
 use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
@@ -22,7 +22,7 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<Vec<
             Some(fields) => fields.need("value", "what was printed")?,
             None => value,
         };
-        let measure = measure(&asked.quantity);
+        let measure = asked.quantity.measure();
         let default = default_scale(&asked.quantity, draft.scales);
         let mut stated = draft.scales.stated(number, measure, measure.turns(), &default)?;
         if matches!(asked.quantity, Quantity::Cycle(of) if of.is_angle()) {

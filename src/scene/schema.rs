@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::asked::QUANTITIES;
+use super::asked::{heads, names_of_quantities};
 use super::sheet::{LANGUAGES, LIVE_PANELS, LIVE_SCALES, NOTATIONS, PAPERS, PLAY_SECONDS, THEMES};
 use super::units::names;
 use crate::limits::POSITIONS;
@@ -619,14 +619,13 @@ fn results() -> Value {
             "why": { "type": "string", "description": "Why it is allowed.", "examples": ["1 mm on the printed drawing"] },
         }),
     );
-    let heads: Vec<&str> = QUANTITIES.iter().map(|named| named.head).collect();
-    let forms = || QUANTITIES.iter().flat_map(|named| named.forms);
-    let examples: Vec<&str> = forms().map(|(form, _)| *form).collect();
-    let meanings: Vec<String> = forms().map(|(form, meaning)| format!("{form}: {meaning}")).collect();
+    let examples: Vec<&str> = names_of_quantities().map(|(form, _)| form).collect();
+    let meanings: Vec<String> =
+        names_of_quantities().map(|(form, meaning)| format!("{form}: {meaning}")).collect();
     json!({
         "quantity": {
             "type": "string",
-            "pattern": format!(r"^\s*(FS|spin|Tmean|E|power|Emax|Emin|Ef|Ke|Ks|If|I|({})\s*\(.+\))(\.static|\.inertia)?\s*$", heads.join("|")),
+            "pattern": format!(r"^\s*(FS|spin|Tmean|E|power|Emax|Emin|Ef|Ke|Ks|If|I|({})\s*\(.+\))(\.static|\.inertia)?\s*$", heads().join("|")),
             "description": format!("Name of a quantity; `/` reads \"relative to\", `@` \"on\". {}.", meanings.join("; ")),
             "examples": examples,
         },

@@ -7,6 +7,7 @@ use super::diagnostic::{Fault, Res};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use crate::double_double::DoubleDouble;
+pub(crate) use crate::mechanism::quantity::Measure;
 use crate::mechanism::quantity::Unit;
 use crate::mechanism::{Given, Sense};
 
@@ -49,30 +50,6 @@ impl Dimension {
 
 /// An angle whose last digit leaves more than this open (radians) points nowhere.
 const OPEN_ANGLE: f64 = 1.0 / 8.0;
-
-/// What a number of a scene measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Measure {
-    Length,
-    Angle,
-    Velocity,
-    Acceleration,
-    AngularVelocity,
-    AngularAcceleration,
-    /// A pure number.
-    Number,
-    Force,
-    Mass,
-    /// A torque, a work.
-    Torque,
-    Inertia,
-    Stiffness,
-    /// Of a torsion spring.
-    TurningStiffness,
-    Pressure,
-    Power,
-    Area,
-}
 
 impl Measure {
     const ALL: [Self; 16] = [

@@ -2,7 +2,7 @@
 
 use super::notation::Notation;
 use super::words::{Language, Words};
-use crate::mechanism::quantity::{Asked, Quantity};
+use crate::mechanism::quantity::{Asked, Nature, Quantity};
 use crate::scene::Scene;
 
 /// One number of an answer.
@@ -46,14 +46,7 @@ pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> S
 
 /// Whether the sign of a number is a sense of turning.
 pub(super) fn turns(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Omega(_)
-            | Quantity::RelativeOmega(..)
-            | Quantity::Alpha(_)
-            | Quantity::RelativeAlpha(..)
-            | Quantity::Angle(_)
-    ) || matches!(quantity, Quantity::Force(force, _) if force.turns())
+    quantity.nature() == Nature::Rotation || matches!(quantity, Quantity::Angle(_))
 }
 
 /// The same with its places for symbol and axis open.

@@ -24,8 +24,7 @@ mod prepare;
 use crate::board::{Dual, LANES, Lane, Listing, Variable, Workspace};
 pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
-use crate::mechanism::force::Force;
-use crate::mechanism::quantity::{Asked, Quantity, Stuck};
+use crate::mechanism::quantity::{Asked, Kind, Nature, Order, Quantity, Stuck};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 use crate::plan::{CentreSource, Extent, Plan};
@@ -100,19 +99,14 @@ impl Column {
     /// Whether it stands wherever the mechanism does: what moves is not behind it.
     #[must_use]
     pub fn is_of_position(&self) -> bool {
-        matches!(self.asked.quantity, Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..))
+        let kind = self.asked.quantity.kind();
+        matches!(kind, Kind::Motion(row) if row.order == Order::Position)
     }
 
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
     #[must_use]
     pub fn is_unsigned(&self) -> bool {
-        matches!(
-            self.asked.quantity,
-            Quantity::Rub(..)
-                | Quantity::Transmission(..)
-                | Quantity::PathRadius(_)
-                | Quantity::Force(Force::Offset(_) | Force::Arm(..), _)
-        )
+        self.asked.quantity.nature() == Nature::Size
     }
 
     /// The number as it counts for the quantity.
