@@ -52,6 +52,8 @@ const TRIAL_VECTOR: f64 = 50.0;
 const MOST_ASSEMBLIES: usize = 32;
 /// Ways in which a group is tried, at most.
 const MOST_WAYS: usize = 6;
+/// Ways to try it by two drivers, where it stands and no other tells how it moves, at most.
+const MOST_LAST_WAYS: usize = 24;
 /// Another way to try a group is taken for its rough places where it misses them by less than this part, in squares.
 const CLEARLY: f64 = 0.25;
 /// A rate below this part of the one that gives such a vector is too small to try others near it.
@@ -918,7 +920,9 @@ impl<'m> Draughtsman<'m> {
         if !self.tells_nothing(order, &first) {
             return;
         }
-        for trial in self.other_ways(index) {
+        let (mechanism, structure) = (self.mechanism, self.structure);
+        let last = std::iter::once_with(|| structure.last_ways_to_try(mechanism, index, MOST_LAST_WAYS));
+        for trial in self.other_ways(index).chain(last.flatten()) {
             self.rub_out(order, &mark);
             self.begin_again_from(&before);
             self.polygon_with(order, step, &trial);
