@@ -489,7 +489,7 @@ impl<'m> Draughtsman<'m> {
         let exact = |p: PointId| self.is_given(p);
         match driver {
             TrialDriver::Turn(link) => {
-                let points = &self.mechanism.link(link).points;
+                let points = self.mechanism.link(link).joints();
                 // Any two of its points tell how it stands; a link of one joint stands as its own coordinates say.
                 let standing = points.iter().filter(|&&p| exact(p)).count();
                 let told = standing >= points.len().min(2);
@@ -535,7 +535,7 @@ impl<'m> Draughtsman<'m> {
         match closing {
             Closing::Roll { .. } => false,
             Closing::Angle { link, input } => match self.mechanism.inputs[input] {
-                _ if self.mechanism.link(link).points.len() > 1 => true,
+                _ if self.mechanism.link(link).joints().len() > 1 => true,
                 Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
                     angle.is_some() && self.carries_guide(link)
                 }
@@ -579,7 +579,7 @@ impl<'m> Draughtsman<'m> {
                 }
             }
             Closing::Angle { link, input } => {
-                let points = &self.mechanism.link(link).points;
+                let points = self.mechanism.link(link).joints();
                 let ends = (points.first().copied(), points.get(1).copied());
                 let along = match ends {
                     (Some(p), Some(q)) => self.outward(link, p, q),
