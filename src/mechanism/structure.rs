@@ -1396,10 +1396,15 @@ impl Trial {
         let mut closings = closings(mechanism, group);
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
-        let is_driven = |sub: &Group| match sub.kind {
-            GroupKind::Driver { .. } | GroupKind::DrivenSlide { .. } => true,
-            GroupKind::DrivenWheel { .. } | GroupKind::DrivenRack { .. } | GroupKind::Wheel { .. } => true,
-            _ => false,
+        let is_driven = |sub: &Group| {
+            matches!(
+                sub.kind,
+                GroupKind::Driver { .. }
+                    | GroupKind::DrivenSlide { .. }
+                    | GroupKind::DrivenWheel { .. }
+                    | GroupKind::DrivenRack { .. }
+                    | GroupKind::Wheel { .. }
+            )
         };
         let mut ways: Vec<Self> = by_twos(&drivers, &closings)
             .into_iter()
