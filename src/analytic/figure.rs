@@ -341,7 +341,13 @@ impl Figure<'_> {
     /// stated.
     fn at_meet(&self, of: PointId, loci: &[Locus; 2], stated: Spot) -> Result<Spot, AnalyticError> {
         let met = self.meet(of, loci, Some(stated.at));
-        if !matches!(met, Err(AnalyticError::Unplaced { .. })) {
+        // Two lines that are one but for rounding meet somewhere, with a bound that says that it may be anywhere.
+        let says_where = match &met {
+            Ok(spot) => spot.error <= ROUNDING * self.size + stated.error,
+            Err(AnalyticError::Unplaced { .. }) => false,
+            Err(_) => true,
+        };
+        if says_where {
             return met;
         }
         let on_first = self.onto(of, &loci[0], stated)?;

@@ -980,7 +980,8 @@ impl Model {
                 let along_x =
                     matches!(form, Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Single)
                         || !placed;
-                let joints = match self.own.get(link.0).map(Vec::as_slice) {
+                let count = self.mechanism.links[link.0].joints().len();
+                let joints = match self.own.get(link.0).and_then(|own| own.get(..count)) {
                     Some([first, second, ..]) if !along_x => Some([*first, *second]),
                     _ => None,
                 };

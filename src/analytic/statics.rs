@@ -1035,7 +1035,7 @@ impl Model {
                 Some(InputAngle::Given(self.given(*angle, 1.0)))
             }
             Input::Angle { link, .. } | Input::Speed { link, .. } => {
-                let [first, second, ..] = mechanism.links[link.0].points[..] else { return None };
+                let [first, second, ..] = *mechanism.links[link.0].joints() else { return None };
                 let ends = [site_in(self, first, *link).ok()?, site_in(self, second, *link).ok()?];
                 Some(InputAngle::Line(ends))
             }

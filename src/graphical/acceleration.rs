@@ -644,8 +644,8 @@ impl Draughtsman<'_> {
         if let Some(image) = self.image_as_one(Order::Acceleration, link, base, point) {
             return image;
         }
-        if self.touches_by_own_line(link, point) {
-            return self.acceleration_at_contact(link, base, point, index);
+        if self.may_be_at_joint(link, base, point) {
+            return self.acceleration_at_joint(link, base, point, index);
         }
         let scale = self.polygon_scale(Order::Acceleration);
         let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
@@ -681,10 +681,15 @@ impl Draughtsman<'_> {
         image
     }
 
-    /// The same of the point by which a link's own line touches a wheel, component by component: it may be where the base is.
-    fn acceleration_at_contact(&mut self, link: LinkId, base: PointId, point: PointId, index: u8) -> Point {
+    /// The same of a point that may be where the base is: Aⁿ = ω² l and Aᵗ = ε l along the guide through the base and square to
+    /// it, or component by component.
+    fn acceleration_at_joint(&mut self, link: LinkId, base: PointId, point: PointId, index: u8) -> Point {
         let order = Order::Acceleration;
-        let length = self.length_to(link, base, point);
+        let arm = self.arm_along_guide(link, base, point);
+        let length = match arm {
+            Some((_, length)) => length,
+            None => self.length_to(link, base, point),
+        };
         let (omega, alpha) = (self.rate(Order::Velocity, link), self.rate(order, link));
         let (speed, tangential) = (self.board.product(omega, length), self.board.product(alpha, length));
         let normal = self.board.product(omega, speed);
@@ -695,28 +700,45 @@ impl Draughtsman<'_> {
             velocity: Quantity::CoincidentVelocity(point, link),
             ends: [base, point],
             speed: speed.value().abs(),
-            length: length.value(),
-            value: normal.value(),
+            length: length.value().abs(),
+            value: normal.value().abs(),
         }));
         let scale = self.polygon_scale(order);
-        let square = self.board.product(omega, omega);
-        let inward = self.way_times(square, [point, base]).map(|part| self.board.to_paper(part, scale));
         let from = self.image(order, base);
-        let foot = self.board.moved(from, inward);
+        let mm = self.board.to_paper(normal, scale);
+        let foot = match arm {
+            Some((along, _)) => {
+                let inward = self.board.reverse(along);
+                self.lay_off_vector(quantity, from, inward, mm)
+            }
+            None => {
+                let square = self.board.product(omega, omega);
+                let inward = self.way_times(square, [point, base]);
+                let inward = inward.map(|part| self.board.to_paper(part, scale));
+                self.board.moved(from, inward)
+            }
+        };
         let label = Label::Foot { point, link: Some(link), index };
         let line = Reference::Points(base, point);
         let kind = (VectorKind::Normal, quantity, Some(Claim::Parallel(line)));
         let vector = self.note_vector(order, kind, (self.label(base), from), (label, foot));
-        let mm = self.board.to_paper(normal, scale);
-        self.act(Act::LayOffVector { vector, value: normal.value(), mm: mm.value() });
+        self.act(Act::LayOffVector { vector, value: normal.value().abs(), mm: mm.value().abs() });
         self.note_foot(order, label, foot);
         self.note_part(quantity, from, foot);
         self.act_turning(order, across, link, [base, point], [alpha, length, tangential]);
-        let by = self.square_parts(alpha, [base, point], order);
-        let image = self.board.moved(foot, by);
+        let mm = self.board.to_paper(tangential, scale);
+        let image = match arm {
+            Some((along, _)) => {
+                let square = self.board.quarter_turn(along);
+                self.lay_off_vector(across, foot, square, mm)
+            }
+            None => {
+                let by = self.square_parts(alpha, [base, point], order);
+                self.board.moved(foot, by)
+            }
+        };
         let kind = (VectorKind::Tangential, across, Some(Claim::Perpendicular(line)));
         let vector = self.note_vector(order, kind, (label, foot), (self.label_under(point, link), image));
-        let mm = self.board.to_paper(tangential, scale);
         self.act(Act::LayOffVector { vector, value: tangential.value().abs(), mm: mm.value().abs() });
         self.note_part(across, foot, image);
         image

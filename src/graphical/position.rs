@@ -282,7 +282,9 @@ impl Draughtsman<'_> {
             }
             None if matches!(self.mechanism.link(link).form, Form::Single) => {
                 self.board.purpose("driven link");
-                self.one_joint_link(link, base)
+                self.one_joint_link(link, base)?;
+                self.transfer_by_pose(step, link);
+                Ok(())
             }
             None => {
                 self.driver_as_placed(step, link, base);
@@ -317,7 +319,7 @@ impl Draughtsman<'_> {
                 placed.push(point);
             }
         }
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+        let &[first, second, ..] = self.mechanism.link(link).joints() else {
             self.miss_of(Missing::Joint(link));
             return;
         };
@@ -482,11 +484,11 @@ impl Draughtsman<'_> {
         self.board.purpose("driven link");
         let from = self.at(base);
         let own_anchor = self.own(link, base);
-        let points = self.mechanism.link(link).points.clone();
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+        let &[first, second, ..] = self.mechanism.link(link).joints() else {
             // A swivelling guide of one joint: the angle is that of its own x-axis.
             let own_along = self.board.rightward();
             self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
+            self.transfer_by_pose(step, link);
             return;
         };
         let (a, b) = (self.own(link, first), self.own(link, second));
@@ -1174,11 +1176,10 @@ impl Draughtsman<'_> {
         Ok((own_along, self.board.toward(from, to, reason).0))
     }
 
-    /// The direction of a link's first-to-second line in its own figure.
+    /// The direction of a link's first-to-second line in its own figure; of a link of one joint, that of its x-axis.
     pub(super) fn own_line_of(&mut self, link: LinkId) -> Direction {
-        let points = self.mechanism.link(link).points.clone();
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
-            return self.no_direction(Missing::Joint(link));
+        let &[first, second, ..] = self.mechanism.link(link).joints() else {
+            return self.board.rightward();
         };
         let (a, b) = (self.own(link, first), self.own(link, second));
         let reason = self.reason(&[link]);
@@ -1224,7 +1225,7 @@ impl Draughtsman<'_> {
             }
         }
         self.act(Act::MarkPlaces);
-        match (self.driven_angle(input), self.mechanism.link(wheel).points.len()) {
+        match (self.driven_angle(input), self.mechanism.link(wheel).joints().len()) {
             (Some(angle), 2..) => {
                 let along = self.board.protractor(angle);
                 self.driver_along(step, wheel, centre, along);

@@ -52,6 +52,8 @@ const TRIAL_VECTOR: f64 = 50.0;
 const MOST_ASSEMBLIES: usize = 32;
 /// Ways in which a group is tried, at most.
 const MOST_WAYS: usize = 6;
+/// Ways to try it by two drivers, where it stands and no other tells how it moves, at most.
+const MOST_LAST_WAYS: usize = 24;
 /// Another way to try a group is taken for its rough places where it misses them by less than this part, in squares.
 const CLEARLY: f64 = 0.25;
 /// A rate below this part of the one that gives such a vector is too small to try others near it.
@@ -487,7 +489,7 @@ impl<'m> Draughtsman<'m> {
         let exact = |p: PointId| self.is_given(p);
         match driver {
             TrialDriver::Turn(link) => {
-                let points = &self.mechanism.link(link).points;
+                let points = self.mechanism.link(link).joints();
                 // Any two of its points tell how it stands; a link of one joint stands as its own coordinates say.
                 let standing = points.iter().filter(|&&p| exact(p)).count();
                 let told = standing >= points.len().min(2);
@@ -533,7 +535,7 @@ impl<'m> Draughtsman<'m> {
         match closing {
             Closing::Roll { .. } => false,
             Closing::Angle { link, input } => match self.mechanism.inputs[input] {
-                _ if self.mechanism.link(link).points.len() > 1 => true,
+                _ if self.mechanism.link(link).joints().len() > 1 => true,
                 Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
                     angle.is_some() && self.carries_guide(link)
                 }
@@ -577,7 +579,7 @@ impl<'m> Draughtsman<'m> {
                 }
             }
             Closing::Angle { link, input } => {
-                let points = &self.mechanism.link(link).points;
+                let points = self.mechanism.link(link).joints();
                 let ends = (points.first().copied(), points.get(1).copied());
                 let along = match ends {
                     (Some(p), Some(q)) => self.outward(link, p, q),
@@ -918,7 +920,9 @@ impl<'m> Draughtsman<'m> {
         if !self.tells_nothing(order, &first) {
             return;
         }
-        for trial in self.other_ways(index) {
+        let (mechanism, structure) = (self.mechanism, self.structure);
+        let last = std::iter::once_with(|| structure.last_ways_to_try(mechanism, index, MOST_LAST_WAYS));
+        for trial in self.other_ways(index).chain(last.flatten()) {
             self.rub_out(order, &mark);
             self.begin_again_from(&before);
             self.polygon_with(order, step, &trial);

@@ -15,7 +15,7 @@ use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Dimension, Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind, Target, TrialDriver, Unknown};
-use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
+use crate::mechanism::{GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, Vector, VectorKind};
@@ -863,7 +863,12 @@ impl Draughtsman<'_> {
     fn turned_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
         let scale = self.polygon_scale(Order::Velocity);
         let omega = self.rate(Order::Velocity, link);
-        let length = self.length_to(link, base, point);
+        let at_joint = self.may_be_at_joint(link, base, point);
+        let arm = if at_joint { self.arm_along_guide(link, base, point) } else { None };
+        let length = match arm {
+            Some((_, length)) => length,
+            None => self.length_to(link, base, point),
+        };
         let speed = self.board.product(omega, length);
         let quantity = self.turning_velocity(link, base, point);
         if !self.is_stated_speed(link, base, point) {
@@ -871,20 +876,70 @@ impl Draughtsman<'_> {
             self.act_turning(Order::Velocity, quantity, link, ends, [omega, length, speed]);
         }
         let from = self.image(Order::Velocity, base);
-        if self.touches_by_own_line(link, point) {
-            let by = self.square_parts(omega, [base, point], Order::Velocity);
-            return self.board.moved(from, by);
-        }
-        let square = self.square_to(link, base, point);
+        let square = match arm {
+            Some((along, _)) => self.board.quarter_turn(along),
+            None if at_joint => {
+                let by = self.square_parts(omega, [base, point], Order::Velocity);
+                return self.board.moved(from, by);
+            }
+            None => self.square_to(link, base, point),
+        };
         let mm = self.board.to_paper(speed, scale);
         self.lay_off_vector(quantity, from, square, mm)
     }
 
-    /// Whether a point is where a link touches a wheel by its own line. It may be at a joint of the link, and no line leads from
-    /// the one to the other then.
-    pub(super) fn touches_by_own_line(&self, link: LinkId, point: PointId) -> bool {
+    /// Whether a point may be at a joint of a link whose turning is known: no line leads from the one to the other then. It is
+    /// where the link touches a wheel by its own line, or on a guide of the link through that joint, as the disc of Oldham's
+    /// coupling passes the centres of both shafts. A pin that tells how the link turns is never there.
+    pub(super) fn may_be_at_joint(&self, link: LinkId, joint: PointId, point: PointId) -> bool {
         let roll = self.mechanism.roll_at(point).map(|roll| self.mechanism.rolls[roll]);
-        matches!(roll, Some(Roll::Line { guide, .. }) if guide.link == link) && self.departures.is_empty()
+        let touches = matches!(roll, Some(Roll::Line { guide, .. }) if guide.link == link);
+        (touches || self.guide_through(link, joint, point).is_some()) && self.departures.is_empty()
+    }
+
+    /// The guide through a joint of a link that is driven, or turns with what rides on it, along which a point slides.
+    fn guide_through(&self, link: LinkId, joint: PointId, point: PointId) -> Option<usize> {
+        let mechanism = self.mechanism;
+        let driven = mechanism.inputs.iter().any(|input| {
+            matches!(*input, Input::Angle { link: of, .. } | Input::Speed { link: of, .. } if of == link)
+        });
+        let inner = self.structure.trials.iter().flat_map(|trial| &trial.groups);
+        let carries = |group: &Group| matches!(group.kind, GroupKind::Rpp { lever, .. } if lever == link);
+        if !driven && !inner.chain(&self.structure.groups).any(carries) {
+            return None;
+        }
+        let at_joint = |through: GuidePoint| match through {
+            GuidePoint::Point(point) => point == joint,
+            GuidePoint::Own(own) => {
+                mechanism.link(link).has_at_origin(joint) && own.iter().all(|c| c.value == 0.0)
+            }
+        };
+        let through_joint = |path: Path| match path {
+            Path::Straight { through, offset, .. } => at_joint(through) && offset == Given::exact(0.0),
+            Path::Arc { .. } => false,
+        };
+        (0..mechanism.slides.len()).find(|&slide| {
+            let guide = mechanism.slides[slide].guide;
+            guide.link == link && self.riding_point(slide, joint) == point && through_joint(guide.path)
+        })
+    }
+
+    /// The direction of such a guide, and how far the point is along it from the joint; forward is positive.
+    pub(super) fn arm_along_guide(
+        &mut self,
+        link: LinkId,
+        joint: PointId,
+        point: PointId,
+    ) -> Option<(Direction, Amount)> {
+        let slide = self.guide_through(link, joint, point)?;
+        let (along, _) = self.tangent(slide, point);
+        let (through, at) = (self.at(joint), self.at(point));
+        let [mm, _] = self.board.square_off(Line { through, along }, at);
+        let scale = self.length_scale();
+        let length = self.board.read(mm, scale);
+        let (paper, value) = (mm.value().abs(), length.value().abs());
+        self.act(Act::MeasureLength { from: joint, to: point, mm: paper, value });
+        Some((along, length))
     }
 
     /// A rate times the way from one point to another, turned by +90°, component by component: ω l or ε l as lengths on paper.
@@ -914,7 +969,7 @@ impl Draughtsman<'_> {
         ends: [PointId; 2],
         [rate, length, part]: [Amount; 3],
     ) {
-        let (rate, length, value) = (rate.value(), length.value(), part.value().abs());
+        let (rate, length, value) = (rate.value(), length.value().abs(), part.value().abs());
         self.act(Act::Calculate(match order {
             Order::Acceleration => {
                 Calculation::Tangential { quantity, link, ends, alpha: rate, length, value }

@@ -362,6 +362,13 @@ pub struct Mechanism {
 }
 
 impl Link {
+    /// The points that its form knows; not mass centres and the like that were stated by own coordinates.
+    #[must_use]
+    pub fn joints(&self) -> &[PointId] {
+        let count = self.form.count().unwrap_or(self.points.len());
+        self.points.get(..count).unwrap_or(&self.points)
+    }
+
     /// Own coordinates of a point that the form does not know, by its index in [`Link::points`].
     #[must_use]
     pub fn extra_at(&self, index: usize) -> Option<GivenPoint> {
@@ -383,6 +390,13 @@ impl Link {
             }
             _ => self.extra_at(index).map(|at| at.map(|x| x.value)),
         }
+    }
+
+    /// Whether the scene states a point at the origin of the link's own coordinates.
+    #[must_use]
+    pub fn has_at_origin(&self, point: PointId) -> bool {
+        let at = |index| self.stated_at(index);
+        self.points.iter().position(|own| *own == point).and_then(at) == Some([0.0; 2])
     }
 
     /// Whether the scene states two points of the link at one place.

@@ -550,6 +550,15 @@ impl Structure {
         Trial::ways(mechanism, &held, group).take(most).chain(further).collect()
     }
 
+    /// The ways in which a group of higher class can be tried where it stands and those of [`Structure::ways_to_try`] tell
+    /// nothing of its motion: by two drivers, so many pairs at most.
+    #[must_use]
+    pub fn last_ways_to_try(&self, mechanism: &Mechanism, trial: usize, most: usize) -> Vec<Trial> {
+        let kind = GroupKind::Higher { trial };
+        let group = self.groups.iter().find(|group| group.kind == kind);
+        group.map_or_else(Vec::new, |group| Trial::last_ways(mechanism, &self.contacts(), group, most))
+    }
+
     /// The group that solves a link; `None` for the frame.
     #[must_use]
     pub fn group_of(&self, link: LinkId) -> Option<usize> {
@@ -1307,25 +1316,12 @@ impl Trial {
         // What is pinned to a solved link and what depends on one come first in both lists.
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
-        let two_and_two = move || {
-            let mut all = Vec::new();
-            for (index, &(first, _)) in closings.iter().enumerate() {
-                for &(second, _) in &closings[index + 1..] {
-                    for (index, &(one, _)) in drivers.iter().enumerate() {
-                        for &(other, _) in &drivers[index + 1..] {
-                            all.push(vec![(one, first), (other, second)]);
-                        }
-                    }
-                }
-            }
-            all
-        };
         let falls_apart = |drivers: Vec<(TrialDriver, Closing)>| {
             let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
             Some(Self { drivers, groups }).filter(|trial| !trial.drives_a_rack())
         };
         let mut single = pairs.into_iter().filter_map(falls_apart).peekable();
-        let double = if single.peek().is_some() { Vec::new() } else { two_and_two() };
+        let double = if single.peek().is_some() { Vec::new() } else { by_twos(&drivers, &closings) };
         single.chain(double.into_iter().filter_map(falls_apart))
     }
 
@@ -1390,6 +1386,43 @@ impl Trial {
         Self::ways_by_racks(mechanism, held, group).chain(Self::ways_by_turning(mechanism, held, group))
     }
 
+    /// Ways to drive two things and to leave two constraints open, so many pairs of things at most, for where the place of
+    /// the mechanism is known and all other ways tell nothing: each of their dyads may stand at a dead centre of its own, as
+    /// where a guide is parallel to that of a link that slides. Those in which least is left to be constructed come first.
+    /// What is driven may be a rider on a guide of a sought link, too; and each driver may be found by either constraint.
+    fn last_ways(mechanism: &Mechanism, held: &[usize], group: &Group, most: usize) -> Vec<Self> {
+        let mut drivers = Self::drivers(mechanism, group);
+        drivers.extend(riders_on_sought_links(mechanism, group));
+        let mut closings = closings(mechanism, group);
+        drivers.truncate(TRIED_TOGETHER);
+        closings.truncate(TRIED_TOGETHER);
+        let is_driven = |sub: &Group| {
+            matches!(
+                sub.kind,
+                GroupKind::Driver { .. }
+                    | GroupKind::DrivenSlide { .. }
+                    | GroupKind::DrivenWheel { .. }
+                    | GroupKind::DrivenRack { .. }
+                    | GroupKind::Wheel { .. }
+            )
+        };
+        let mut ways: Vec<Self> = by_twos(&drivers, &closings)
+            .into_iter()
+            .filter_map(|drivers| {
+                let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
+                Some(Self { drivers, groups })
+            })
+            .collect();
+        ways.sort_by_key(|way| way.groups.iter().filter(|sub| !is_driven(sub)).count());
+        ways.truncate(most);
+        let either = |way: Self| {
+            let (drivers, closings): (Vec<TrialDriver>, Vec<Closing>) = way.drivers.iter().copied().unzip();
+            let exchanged = drivers.into_iter().zip(closings.into_iter().rev()).collect();
+            [Self { drivers: exchanged, groups: way.groups.clone() }, way]
+        };
+        ways.into_iter().flat_map(either).collect()
+    }
+
     /// Whether it is known of links how they turn without their being driven, or tried.
     #[must_use]
     pub fn knows_turning(&self) -> bool {
@@ -1436,6 +1469,37 @@ impl Trial {
         }
         list
     }
+}
+
+/// Every two drivers with every two constraints that are left open.
+fn by_twos(drivers: &[(TrialDriver, u8)], closings: &[(Closing, u8)]) -> Vec<Vec<(TrialDriver, Closing)>> {
+    let mut all = Vec::new();
+    for (index, &(first, _)) in closings.iter().enumerate() {
+        for &(second, _) in &closings[index + 1..] {
+            for (index, &(one, _)) in drivers.iter().enumerate() {
+                for &(other, _) in &drivers[index + 1..] {
+                    all.push(vec![(one, first), (other, second)]);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The sought riders on guides of sought links: what is driven along them is solved once the guide is.
+fn riders_on_sought_links<'a>(
+    mechanism: &'a Mechanism,
+    group: &'a Group,
+) -> impl Iterator<Item = (TrialDriver, u8)> + 'a {
+    group.joints.iter().filter_map(|joint| {
+        let Joint::Slide(slide) = *joint else { return None };
+        let Slide { rider, guide } = mechanism.slides[slide];
+        let sought = match rider {
+            Rider::Pin { point, .. } => group.points.contains(&point),
+            Rider::Link { link, .. } => group.links.contains(&link),
+        };
+        (sought && group.links.contains(&guide.link)).then_some((TrialDriver::Slide(slide), 3))
+    })
 }
 
 /// The rides among a group's pairs, each with its two links.

@@ -52,9 +52,11 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
 /// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
 pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     draft.loads_count_turns = has_curves(scene);
-    let (blocks, sliding) = (blocks(scene, draft), in_guides(scene, draft));
+    let (blocks, rolling) = (blocks(scene, draft), rolling(scene, draft));
+    let mut sliding = in_guides(scene, draft);
+    sliding.retain(|link| !rolling.contains(link));
     let spot = |value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'_>| {
-        spot(value, link, (name, &blocks, &sliding), draft)
+        spot(value, link, name, [&blocks, &sliding, &rolling], draft)
     };
     if let Some(masses) = scene.get("masses") {
         for Entry { key, value, .. } in masses.object("masses, by number of the link")? {
@@ -109,7 +111,7 @@ fn blocks(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
     all.iter().copied().filter(once).collect()
 }
 
-/// The links that slide themselves, or carry the guide of a driven slide, and do not roll: in which directions their own
+/// The links that slide themselves, or carry the guide of a driven slide: in which directions their own
 /// coordinates lie is told by their guides, whatever joints they have. On which side of its carrier something rides that
 /// nobody drives is left to the assembly.
 fn in_guides(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
@@ -144,11 +146,18 @@ fn in_guides(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
         let links = [fields.get("link"), guide.filter(|_| is_driven)].into_iter().flatten();
         all.extend(links.filter_map(|link| draft.link_at(link).ok()));
     }
-    for item in items("rolls") {
+    all
+}
+
+/// The links of rolling pairs.
+fn rolling(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
+    let Some(Kind::List(items)) = scene.get("rolls").map(|list| &list.kind) else { return Vec::new() };
+    let mut all = Vec::new();
+    for item in items {
         let Kind::Object(entries) = &item.kind else { continue };
         let bodies = entries.iter().find(|entry| entry.key == "links").map(|entry| &entry.value.kind);
         let Some(Kind::List(bodies)) = bodies else { continue };
-        all.retain(|link| !bodies.iter().any(|body| draft.link_at(body).ok() == Some(*link)));
+        all.extend(bodies.iter().filter_map(|body| draft.link_at(body).ok()));
     }
     all
 }
@@ -158,7 +167,8 @@ fn in_guides(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
 fn spot(
     value: Option<&Value<'_>>,
     link: LinkId,
-    (name, blocks, sliding): (&str, &[LinkId], &[LinkId]),
+    name: &str,
+    [blocks, sliding, rolling]: [&[LinkId]; 3],
     draft: &mut Draft<'_>,
 ) -> Res<()> {
     let Some(value) = value.filter(|value| matches!(value.kind, Kind::List(_))) else { return Ok(()) };
@@ -171,16 +181,20 @@ fn spot(
             draft.spots.insert(value.at, only);
             return Ok(());
         }
-        if blocks.contains(&link) {
-            draft.wide_blocks.push(link);
-        } else if !sliding.contains(&link) {
+        if rolling.contains(&link) {
             let what = format!(
-                "this version does not do own coordinates of {}, which has one joint",
+                "this version does not do own coordinates of {}, which has one joint and rolls",
                 draft.say(link)
             );
             return Err(Fault::new(value.at, what).mend(format!("name its joint, {}", draft.say_point(only))));
         }
-        draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
+        if blocks.contains(&link) {
+            draft.wide_blocks.push(link);
+        }
+        // Any other stands as a link of one joint does: by its input, or by the rider towards which it swivels.
+        if blocks.contains(&link) || sliding.contains(&link) {
+            draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
+        }
     }
     let mut free = name.to_owned();
     while draft.point_named(&free, value.at).is_ok() {

@@ -8,7 +8,7 @@ use super::keys;
 use super::links::own_coordinates;
 use super::units::Measure;
 use crate::mechanism::quantity::Unit;
-use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId, Rider};
+use crate::mechanism::{Given, Input, LinkId, Place, PointId, Rider};
 
 /// Reads `input` or `inputs`.
 pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
@@ -108,7 +108,7 @@ fn link_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) -> 
     });
     let angle = angle.transpose()?;
     let points = &draft.link(link).points;
-    if draft.link(link).form != Form::Single {
+    if draft.link(link).joints().len() > 1 {
         let own = |index| own_coordinates(draft.link(link), index).map(|(place, _)| place);
         let exact = |index: usize| points.get(index).and_then(|p| draft.mechanism.point(*p).place.exact());
         let same = match (own(0), own(1), exact(0), exact(1)) {

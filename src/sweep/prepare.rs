@@ -102,7 +102,7 @@ pub(super) fn ready(mechanism: &Mechanism, moved: &Moved) -> Result<(Mechanism, 
                 Input::Angle { link, angle: None, .. } | Input::Speed { link, angle: None, .. },
                 Input::Angle { angle, .. } | Input::Speed { angle, .. },
             ) => {
-                let toward = match mechanism.link(*link).points[..] {
+                let toward = match *mechanism.link(*link).joints() {
                     [first, second, ..] => {
                         bearing(place_now(mechanism, first)?, place_now(mechanism, second)?)
                     }

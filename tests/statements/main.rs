@@ -7,6 +7,7 @@
 //! ```sh
 //! cargo test --release --no-default-features --features cli --test all statements:: -- --ignored --nocapture
 //! LINKGRAM_SEED=17 LINKGRAM_CAMPAIGN=1 cargo test … # one scene, printed
+//! LINKGRAM_SEEDS=17,23,541 cargo test … # these, a line each
 //! ```
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
@@ -173,6 +174,20 @@ fn every_statement_has_the_truth() {
 fn campaign() {
     let from = from_environment("LINKGRAM_SEED", 0);
     let count = from_environment("LINKGRAM_CAMPAIGN", 100_000);
+    if let Ok(seeds) = std::env::var("LINKGRAM_SEEDS") {
+        for seed in seeds.split([',', ' ']).filter_map(|s| s.parse().ok()) {
+            let faults = case(seed).map(|case| judge::judge(&case.scene, &case.asked).faults);
+            let state = match faults.as_deref() {
+                Ok([]) => "right".to_owned(),
+                Ok([first, ..]) => {
+                    format!("{} {}: {}", first.kind, first.name.as_deref().unwrap_or(""), first.why)
+                }
+                Err(why) => (*why).to_owned(),
+            };
+            println!("{seed} {state}");
+        }
+        return;
+    }
     if count == 1 {
         let case = case(from).unwrap();
         let faults = judge::judge(&case.scene, &case.asked).faults;
