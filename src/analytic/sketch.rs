@@ -90,7 +90,7 @@ mod tests {
             let (mut sum, mut drawn) = (0.0, [0.0; DRAWS]);
             for term in 0..terms {
                 let at = 60 * seed + term;
-                let weight = libm::sin(at as f64) * libm::pow(10.0, -((at % 7) as f64));
+                let weight = libm::sin(at as f64 + 1.0) * libm::pow(10.0, -((at % 7) as f64));
                 let source = [Source::Row, Source::Param, Source::Width][at % 3];
                 add(&mut drawn, weight, &draws_of(source(at)));
                 sum += weight.abs();
