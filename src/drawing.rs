@@ -16,7 +16,9 @@ use crate::solve::{Settings, SolveError, Solved, governed, solve_with};
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
-const LARGEST_SHEET: f64 = 100_000.0;
+pub(crate) const LARGEST_SHEET: f64 = 100_000.0;
+/// How what is larger is mended.
+const SMALLER: &str = "choose smaller scales; where none is stated the diagrams fill their panels";
 
 /// What is drawn of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -206,8 +208,7 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
         let what = format!("at the stated scales the sheet would be {width} m wide and {height} m high");
-        let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
-        return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
+        return Err(scene.source.complain(Subject::Sheet, what, Some(SMALLER.to_owned())).into());
     }
     Ok(Drawn { figure, indeterminate: indeterminate(scene, construction) })
 }
@@ -359,7 +360,15 @@ impl Wish {
         let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
         let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(NoFigure::Wish)?;
         let choose = |scene: &Scene, extents| scales.unwrap_or_else(|| of_page(scene, extents));
-        Ok((extent, solve_with(scene, extent, &auxiliary, self.settings, choose)?))
+        let solved = solve_with(scene, extent, &auxiliary, self.settings, choose)?;
+        // Before anything is laid out: names beside a line of a million kilometres have a million places.
+        let across =
+            sheet::scale::largest_diagram(scene, &solved.solution.construction, self.kind == Kind::Question);
+        if across > LARGEST_SHEET {
+            let what = format!("at the stated scales a diagram would be {} m across", short(across / 1000.0));
+            return Err(scene.source.complain(Subject::Sheet, what, Some(SMALLER.to_owned())).into());
+        }
+        Ok((extent, solved))
     }
 }
 

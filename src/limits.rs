@@ -13,6 +13,8 @@ pub const DEPTH: usize = 16;
 pub const ENTRIES: usize = 10_000;
 /// Values of one file, counted together.
 pub const VALUES: usize = 500_000;
+/// Knots of a table over an angle, areas of a diagram.
+pub const KNOTS: usize = 3_000;
 /// Folders inside one another.
 pub const FOLDERS: usize = 64;
 /// Files and folders that are looked at for scenes.
@@ -72,6 +74,7 @@ pub fn all() -> Vec<Limit> {
         limit("scene", "links, points, pairs of a kind", grouped(ENTRIES)),
         limit("scene", "numbers, SI", "10⁻⁶⁰ to 10⁶⁰, and 0".to_owned()),
         limit("scene", "other positions", grouped(POSITIONS)),
+        limit("scene", "knots of a table, areas of a diagram", grouped(KNOTS)),
         limit("sweep", "steps", grouped(STEPS as usize)),
         limit("answers", "values, lengths and points together", grouped(ANSWERS)),
         limit("answers", "lengths and coordinates on paper", "1 km".to_owned()),

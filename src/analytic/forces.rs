@@ -174,7 +174,7 @@ impl State {
         if gradient.iter().zip(&balance.undetermined).any(|(g, lost)| *lost && *g != 0.0) {
             return true;
         }
-        let behind = balance.system.adjoint(gradient).rows;
+        let behind = balance.system.adjoint(&mut gradient).rows;
         // Three balances of each body, the frame has none.
         behind.iter().any(|(row, weight)| *weight != 0.0 && burden.strays_on(row / 3 + 1, share))
     }
@@ -187,7 +187,7 @@ impl State {
                 gradient[*at] += slope;
             }
         }
-        let behind = balance.system.adjoint(gradient).rows;
+        let behind = balance.system.adjoint(&mut gradient).rows;
         // Three balances of each body, the frame has none.
         behind.iter().any(|(row, weight)| *weight != 0.0 && self.resting.contains(&(row / 3 + 1)))
     }

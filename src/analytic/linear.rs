@@ -1,8 +1,6 @@
 //! Block-triangular linear systems: solved group by group, forwards for motions and backwards for the
 //! sensitivities of one number to every equation.
 
-use std::collections::BinaryHeap;
-
 use nalgebra::DMatrix;
 
 use super::constraints::{Motion, Param, Row};
@@ -123,40 +121,19 @@ impl System {
         self.block_of.get(column).copied().filter(|block| *block != usize::MAX)
     }
 
-    /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
-    pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
-        let blocks: Vec<usize> = gradient
-            .iter()
-            .zip(&self.block_of)
-            .filter(|(g, block)| **g != 0.0 && **block != usize::MAX)
-            .map(|(_, block)| *block)
-            .collect();
-        self.adjoint_to(&mut gradient, &blocks, |_| None)
-    }
-
-    /// The same by a sweep from some blocks that ends at unknowns of which an error is known; what these do is slack. Of the
-    /// gradient nothing is left in a block where the sweep came through: a short sweep costs the same in a long chain.
-    pub(super) fn adjoint_to(
-        &self,
-        gradient: &mut [f64],
-        blocks: &[usize],
-        known: impl Fn(usize) -> Option<f64>,
-    ) -> Multipliers {
+    /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back, of which no gradient is
+    /// left.
+    pub(super) fn adjoint(&self, gradient: &mut [f64]) -> Multipliers {
         let mut multipliers = Multipliers { rows: Vec::new(), slack: 0.0 };
-        // Blocks depend on earlier ones: the last that waits is the next.
-        let mut waiting = BinaryHeap::from(blocks.to_vec());
-        while let Some(index) = waiting.pop() {
-            // What is reached twice comes twice in a row.
-            if waiting.peek() == Some(&index) {
-                continue;
-            }
+        let moves =
+            gradient.iter().zip(&self.block_of).filter(|(g, block)| **g != 0.0 && **block != usize::MAX);
+        let Some(last) = moves.map(|(_, block)| *block).max() else { return multipliers };
+        // Blocks depend on earlier ones.
+        for index in (0..=last).rev() {
             let block = &self.blocks[index];
             let columns = &block.group.columns;
-            for column in columns {
-                if let Some(error) = known(*column) {
-                    let moves = std::mem::take(&mut gradient[*column]).abs();
-                    multipliers.slack += if moves == 0.0 { 0.0 } else { moves * error };
-                }
+            if columns.iter().all(|c| gradient[*c] == 0.0) {
+                continue;
             }
             if let Some(inverse) = &block.inverse {
                 for (i, row) in block.group.rows.iter().enumerate() {
@@ -170,13 +147,11 @@ impl System {
                         let before = self.block_of[*column];
                         if before != index && before != usize::MAX {
                             gradient[*column] -= weight * value;
-                            waiting.push(before);
                         }
                     }
                 }
             } else {
                 multipliers.slack += match &block.widths {
-                    _ if columns.iter().all(|c| gradient[*c] == 0.0) => 0.0,
                     Some(widths) => columns.iter().zip(widths).map(|(c, w)| gradient[*c].abs() * w).sum(),
                     None => f64::INFINITY,
                 };

@@ -34,6 +34,7 @@ mod model;
 mod motion;
 mod ordering;
 mod quantities;
+mod sketch;
 mod slopes;
 mod state;
 mod statics;

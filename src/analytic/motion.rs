@@ -11,6 +11,7 @@ use super::constraints::{Motion, Param, Row};
 use super::linear::{Multipliers, System, entry_error};
 use super::model::Model;
 use super::ordering::{Ordering, order};
+use super::sketch::{self, Draws, Source, draws_of};
 use super::tape::{Leaf, Linear, U};
 
 /// Rounds of iterative refinement at most.
@@ -22,7 +23,7 @@ const NOISE: f64 = 4.0;
 const CONTRADICTION: f64 = 1e-6;
 /// Radii that are carried on from group to group lose the correlations of their errors, and grow along a chain. As long
 /// as they are below this (in mechanism sizes and radians) they serve to tell that a group is regular; then the radii
-/// of one group are found by sweeps back through all equations, and carried on from there.
+/// of one group are sketched, and carried on from there.
 const ROUGH: f64 = 1e-8;
 /// Radius of a pose of which nothing is known; its products stay finite.
 const UNBOUNDED: f64 = 1e150;
@@ -44,6 +45,10 @@ pub(super) struct Located {
     pub(super) error: Vec<f64>,
     /// How they were found.
     sharp: Vec<Sharpness>,
+    /// Draws of what each pose coordinate errs by, of those found in the first groups.
+    sketches: Vec<Draws>,
+    /// How many groups these are.
+    sketched: usize,
     /// Room for a motion: of nothing, whenever nobody uses it.
     rest: Vec<f64>,
 }
@@ -70,8 +75,8 @@ pub(super) struct Solved {
 enum Sharpness {
     /// Carried on from the group before, without correlations.
     Carried,
-    /// By a sweep back that ended at coordinates for which that was done before.
-    Near,
+    /// Sketched: by correlations, and coarse.
+    Sketched,
     /// By a sweep back through all equations: it is no more than it has to be.
     Whole,
 }
@@ -101,26 +106,6 @@ pub(super) fn param_error(by_param: &[f64], params: &[Param]) -> f64 {
     by_param.iter().zip(params).map(|(c, p)| c.abs() * p.error).filter(|e| *e > 0.0).sum()
 }
 
-/// The same of these multipliers only, after which nothing is left of them.
-fn taken_param_error(
-    multipliers: &Multipliers,
-    rows: &[Linear],
-    by_param: &mut [f64],
-    params: &[Param],
-) -> f64 {
-    let terms = multipliers.rows.iter().flat_map(|(row, _)| &rows[*row].terms);
-    let mut touched: Vec<usize> = terms
-        .filter_map(|(leaf, _)| match leaf {
-            Leaf::Param(at) => Some(*at),
-            _ => None,
-        })
-        .collect();
-    touched.sort_unstable();
-    touched.dedup();
-    let errors = touched.iter().map(|at| std::mem::take(&mut by_param[*at]).abs() * params[*at].error);
-    errors.filter(|error| *error > 0.0).sum()
-}
-
 /// The radii of an assembled position.
 pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, AnalyticError> {
     let Assembly { pose, ordering } = assembly;
@@ -138,6 +123,8 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
     let mut located = Located {
         error: vec![0.0; n],
         sharp: vec![Sharpness::Carried; n],
+        sketches: Vec::new(),
+        sketched: 0,
         rest: vec![0.0; n],
         pose,
         rows,
@@ -173,7 +160,7 @@ impl Located {
                     Leaf::Rate(_) | Leaf::Accel(_) | Leaf::Force(_) => {}
                 }
             }
-            let multipliers = self.system.adjoint(gradient);
+            let multipliers = self.system.adjoint(&mut gradient);
             let open = linear.rounding + error_of(&multipliers, &self.rows, &mut by_param);
             Some((linear.value.abs() - OPEN * (open + param_error(&by_param, &model.params))).max(0.0))
         };
@@ -185,10 +172,8 @@ impl Located {
         let columns = self.system.blocks[index].group.columns.clone();
         if self.system.blocks[index].inverse.is_some() {
             self.carry_on(model, index);
-            for how in [Sharpness::Near, Sharpness::Whole] {
-                if columns.iter().any(|column| self.error[*column] > ROUGH) {
-                    self.sharpen(model, columns.iter().copied(), how);
-                }
+            if columns.iter().any(|column| self.error[*column] > ROUGH) {
+                self.sharpen(model, columns.iter().copied(), Sharpness::Sketched);
             }
             let Self { pose, error, rest, system, .. } = self;
             let regular = looks_regular(system, index, &model.position, model, pose, error, rest);
@@ -203,6 +188,8 @@ impl Located {
         }
         self.system.blocks[index].inverse = None;
         self.system.blocks[index].widths = widths;
+        // A sketch of it as a regular one does not hold.
+        self.sketched = self.sketched.min(index);
     }
 
     /// Radii of one group's unknowns from those of the unknowns before it, as if these erred independently.
@@ -233,27 +220,90 @@ impl Located {
         linear.value.abs() + linear.rounding + spread
     }
 
-    /// Finds the radii of these unknowns by sweeps back. Says whether any was not found so before.
+    /// Finds the radii of these unknowns. Says whether any was not found so before.
     fn sharpen(&mut self, model: &Model, columns: impl Iterator<Item = usize>, how: Sharpness) -> bool {
         let rough: Vec<usize> = columns.filter(|column| self.sharp[*column] < how).collect();
-        let known = |at: usize| (how < Sharpness::Whole && self.sharp[at] >= how).then_some(self.error[at]);
+        if how == Sharpness::Sketched {
+            for &column in &rough {
+                self.error[column] = self.error[column].min(self.sketched_error(model, column));
+                self.sharp[column] = how;
+            }
+            return !rough.is_empty();
+        }
         let mut gradient = vec![0.0; if rough.is_empty() { 0 } else { self.pose.len() }];
-        let mut by_param = vec![0.0; if rough.is_empty() { 0 } else { model.params.len() }];
-        let found: Vec<f64> = rough
-            .iter()
-            .map(|column| {
-                let Some(block) = self.system.block_of(*column) else { return 0.0 };
-                gradient[*column] = 1.0;
-                let multipliers = self.system.adjoint_to(&mut gradient, &[block], known);
-                let error = error_of(&multipliers, &self.rows, &mut by_param);
-                error + taken_param_error(&multipliers, &self.rows, &mut by_param, &model.params)
-            })
-            .collect();
-        for (&column, error) in rough.iter().zip(found) {
-            self.error[column] = self.error[column].min(error);
+        for &column in &rough {
+            gradient[column] = 1.0;
+            let multipliers = self.system.adjoint(&mut gradient);
+            let mut by_param = vec![0.0; model.params.len()];
+            let error = error_of(&multipliers, &self.rows, &mut by_param);
+            self.error[column] = self.error[column].min(error + param_error(&by_param, &model.params));
             self.sharp[column] = how;
+            // What nothing moves keeps its gradient.
+            gradient[column] = 0.0;
         }
         !rough.is_empty()
+    }
+
+    /// The radius of an unknown as its sketch tells it.
+    fn sketched_error(&mut self, model: &Model, column: usize) -> f64 {
+        let Some(block) = self.system.block_of(column) else { return 0.0 };
+        self.sketches.resize(self.pose.len(), Draws::default());
+        for index in self.sketched..=block {
+            self.sketch(model, index);
+        }
+        self.sketched = self.sketched.max(block + 1);
+        sketch::size(&self.sketches[column])
+    }
+
+    /// Sketches a group, those before it being sketched.
+    fn sketch(&mut self, model: &Model, index: usize) {
+        let block = &self.system.blocks[index];
+        let columns = &block.group.columns;
+        let missed_by = |row: &usize| {
+            let linear = &self.rows[*row];
+            let mut missed = Draws::default();
+            sketch::add(&mut missed, linear.value.abs() + linear.rounding, &draws_of(Source::Row(*row)));
+            for (leaf, c) in &linear.terms {
+                match leaf {
+                    Leaf::Param(at) => {
+                        let error = model.params[*at].error;
+                        if error != 0.0 {
+                            sketch::add(&mut missed, c * error, &draws_of(Source::Param(*at)));
+                        }
+                    }
+                    Leaf::Pose(at) if columns.binary_search(at).is_err() => {
+                        sketch::add(&mut missed, *c, &self.sketches[*at]);
+                    }
+                    _ => {}
+                }
+            }
+            missed
+        };
+        let found: Vec<Draws> = match (&block.inverse, &block.widths) {
+            (Some(inverse), _) => {
+                let missed: Vec<Draws> = block.group.rows.iter().map(missed_by).collect();
+                let moved = |k: usize| {
+                    let mut moved = Draws::default();
+                    for (i, missed) in missed.iter().enumerate() {
+                        sketch::add(&mut moved, inverse[(k, i)], missed);
+                    }
+                    moved
+                };
+                (0..columns.len()).map(moved).collect()
+            }
+            (None, Some(widths)) => {
+                let of_width = |(column, width): (&usize, &f64)| {
+                    let mut moved = Draws::default();
+                    sketch::add(&mut moved, *width, &draws_of(Source::Width(*column)));
+                    moved
+                };
+                columns.iter().zip(widths).map(of_width).collect()
+            }
+            (None, None) => vec![[f64::INFINITY; sketch::DRAWS]; columns.len()],
+        };
+        for (column, draws) in columns.iter().zip(found) {
+            self.sketches[*column] = draws;
+        }
     }
 
     /// Finds the radii on which equations hang.
@@ -267,7 +317,7 @@ impl Located {
     /// Whether a group of the position that did not look regular is so when all radii are as small as they are.
     fn is_regular_when_sharp(&mut self, model: &Model, index: usize) -> bool {
         let rows = self.system.blocks[index].group.rows.clone();
-        [Sharpness::Near, Sharpness::Whole].into_iter().any(|how| {
+        [Sharpness::Sketched, Sharpness::Whole].into_iter().any(|how| {
             self.sharpen_for(model, &model.position, &rows, how) && {
                 let Self { pose, error, rest, system, .. } = self;
                 looks_regular(system, index, &model.position, model, pose, error, rest)
@@ -283,7 +333,7 @@ impl Located {
         };
         let rows = &system.blocks[index].group.rows;
         looks(self)
-            || [Sharpness::Near, Sharpness::Whole]
+            || [Sharpness::Sketched, Sharpness::Whole]
                 .into_iter()
                 .any(|how| self.sharpen_for(model, equations, rows, how) && looks(self))
     }
@@ -456,4 +506,22 @@ pub(super) fn singular_values(system: &System, most: usize) -> Vec<f64> {
     };
     values.sort_by(|a, b| b.total_cmp(a));
     values
+}
+
+#[cfg(test)]
+impl Located {
+    /// How many radii took a sweep back through all equations.
+    pub(super) fn swept(&self) -> usize {
+        self.sharp.iter().filter(|how| **how == Sharpness::Whole).count()
+    }
+
+    /// The radius of every coordinate, as a sketch tells it and as a sweep back does.
+    pub(super) fn sketched_and_swept(&mut self, model: &Model) -> Vec<[f64; 2]> {
+        let n = self.pose.len();
+        let sketched: Vec<f64> = (3..n).map(|column| self.sketched_error(model, column)).collect();
+        self.sharp.fill(Sharpness::Carried);
+        self.error.fill(f64::INFINITY);
+        self.sharpen(model, 3..n, Sharpness::Whole);
+        sketched.into_iter().zip(&self.error[3..]).map(|(sketched, swept)| [sketched, *swept]).collect()
+    }
 }

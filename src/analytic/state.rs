@@ -364,7 +364,7 @@ impl State {
             if forces.iter().zip(&balance.undetermined).any(|(g, lost)| *lost && *g != 0.0) {
                 return Err(Indeterminate::Singular);
             }
-            let multipliers = balance.system.adjoint(forces);
+            let multipliers = balance.system.adjoint(&mut forces);
             error += error_of(&multipliers, &balance.rows, &mut by_param);
             for (row, weight) in &multipliers.rows {
                 for (leaf, c) in &balance.rows[*row].terms {
@@ -377,7 +377,7 @@ impl State {
                 }
             }
         }
-        let [mut poses, mut rates, accels] = gradients;
+        let [mut poses, mut rates, mut accels] = gradients;
         if let Some(solved) = solved {
             let lost = |gradient: &[f64]| {
                 gradient.iter().zip(&solved.undetermined).any(|(g, undetermined)| *undetermined && *g != 0.0)
@@ -389,7 +389,7 @@ impl State {
             if lost(&rates) || lost(&accels) || flat {
                 return Err(Indeterminate::Singular);
             }
-            let multipliers = solved.system.adjoint(accels);
+            let multipliers = solved.system.adjoint(&mut accels);
             error += error_of(&multipliers, &solved.acceleration_rows, &mut by_param);
             for (row, weight) in &multipliers.rows {
                 for (leaf, c) in &solved.acceleration_rows[*row].terms {
@@ -400,7 +400,7 @@ impl State {
                     }
                 }
             }
-            let multipliers = solved.system.adjoint(rates);
+            let multipliers = solved.system.adjoint(&mut rates);
             error += error_of(&multipliers, &solved.velocity_rows, &mut by_param);
             for (row, weight) in &multipliers.rows {
                 for (leaf, c) in &solved.velocity_rows[*row].terms {
@@ -410,7 +410,7 @@ impl State {
                 }
             }
         }
-        let multipliers = self.located.system.adjoint(poses);
+        let multipliers = self.located.system.adjoint(&mut poses);
         error += error_of(&multipliers, &self.located.rows, &mut by_param);
         error += param_error(&by_param, &self.model.params);
         let bound = SAFETY * error;

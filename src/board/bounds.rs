@@ -200,21 +200,17 @@ impl Tape {
             let results: Vec<u32> = at_once.iter().map(|index| marks[*index]).collect();
             let Self { nodes, bounds, .. } = self;
             let Bounds { slots, lanes, reached, weak, .. } = bounds;
-            sweep(nodes, slots, &results, lanes, reached);
+            let (mut errors, mut left_out) = ([0.0; LANES], [0.0; LANES]);
+            sweep(nodes, slots, &results, lanes, reached, |slot, adjoints| {
+                // What does not lead to the result may err without bound.
+                for (lane, adjoint) in std::mem::take(adjoints).into_iter().enumerate() {
+                    errors[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
+                    left_out[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.left_out };
+                }
+            });
             for (lane, index) in at_once.iter().enumerate() {
                 let leads = |slot: u32| reached.get(slot as usize).is_some_and(|to| to & (1 << lane) != 0);
                 judged[*index].weakness = weak.iter().find(|d| leads(d.slot)).map(|d| d.reason);
-            }
-            let (mut errors, mut left_out) = ([0.0; LANES], [0.0; LANES]);
-            for (index, _) in reached.iter().enumerate().filter(|(_, to)| **to != 0) {
-                let slot = &slots[index];
-                for (lane, adjoint) in std::mem::take(&mut lanes[index]).into_iter().enumerate() {
-                    // What does not lead to the result may err without bound.
-                    if adjoint != 0.0 {
-                        errors[lane] += adjoint.abs() * slot.own;
-                        left_out[lane] += adjoint.abs() * slot.left_out;
-                    }
-                }
             }
             for (lane, index) in at_once.iter().enumerate() {
                 let judged = &mut judged[*index];
@@ -268,7 +264,8 @@ impl Tape {
     fn swept_error(&self) -> [f64; 2] {
         // What does not lead to the result may err without bound.
         let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots);
-        let moves = slots.filter(|([adjoint], _)| *adjoint != 0.0);
+        // In the order of a sweep back.
+        let moves = slots.rev().filter(|([adjoint], _)| *adjoint != 0.0);
         moves.fold([0.0; 2], |[error, left_out], ([adjoint], slot)| {
             [error + adjoint.abs() * slot.own, left_out + adjoint.abs() * slot.left_out]
         })
@@ -634,18 +631,20 @@ impl Tape {
         let Self { nodes, bounds, .. } = self;
         let Bounds { slots, adjoint, reached, .. } = bounds;
         adjoint.clear();
-        sweep(nodes, slots, &[mark], adjoint, reached);
+        sweep(nodes, slots, &[mark], adjoint, reached, |_, _| {});
     }
 }
 
 /// Sweeps back from as many results as there are lanes, at most: how each of them moves when a slot is moved alone, and
-/// to which of them a slot leads, a bit for each. The lanes are zero before.
+/// to which of them a slot leads, a bit for each. The lanes are zero before; each slot that leads to a result is given to
+/// `visit` when its adjoints are complete and have been handed on.
 fn sweep<const N: usize>(
     nodes: &[Node],
     slots: &[Slot],
     results: &[u32],
     adjoints: &mut Vec<[f64; N]>,
     reached: &mut Vec<u8>,
+    mut visit: impl FnMut(&Slot, &mut [f64; N]),
 ) {
     let count = results.iter().max().map_or(0, |last| *last as usize + 1);
     if adjoints.len() < count {
@@ -662,13 +661,15 @@ fn sweep<const N: usize>(
         if leads_to == 0 {
             continue;
         }
-        let Node::Made(op, of) = nodes[index] else { continue };
-        let adjoint = adjoints[index];
-        for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
-            for (to, adjoint) in adjoints[part as usize].iter_mut().zip(adjoint) {
-                *to += adjoint * partial;
+        if let Node::Made(op, of) = nodes[index] {
+            let adjoint = adjoints[index];
+            for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
+                for (to, adjoint) in adjoints[part as usize].iter_mut().zip(adjoint) {
+                    *to += adjoint * partial;
+                }
+                reached[part as usize] |= leads_to;
             }
-            reached[part as usize] |= leads_to;
         }
+        visit(&slots[index], &mut adjoints[index]);
     }
 }

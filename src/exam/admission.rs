@@ -291,9 +291,13 @@ fn flattest(construction: &Construction) -> Option<f64> {
 /// states one can a variant outgrow its paper.
 fn fits(scene: &Scene, solved: &Solved) -> Result<(), Flaw> {
     let stated = &scene.sheet;
-    let any = [stated.length_scale, stated.velocity_scale, stated.acceleration_scale];
+    let any = [stated.length_scale, stated.velocity_scale, stated.acceleration_scale, stated.force_scale];
     if any.iter().all(Option::is_none) {
         return Ok(());
+    }
+    let across = sheet::scale::largest_diagram(scene, &solved.solution.construction, false);
+    if across > crate::drawing::LARGEST_SHEET {
+        return Err(Flaw::OffPage);
     }
     let (width, height) = sheet::paper(scene);
     let question = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question).map_err(refused)?;

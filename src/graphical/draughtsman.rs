@@ -170,6 +170,8 @@ pub(super) struct Draughtsman<'m> {
     has_under: Vec<bool>,
     /// Where each reason stands in their list.
     reason_of: HashMap<Cause, usize>,
+    /// The vectors of the velocity and the acceleration diagram by what they stand for.
+    pub(super) vectors_of: [super::reading::Listed; 2],
     record: Construction,
 }
 
@@ -286,6 +288,7 @@ impl<'m> Draughtsman<'m> {
             missing: None,
             reasons: Vec::new(),
             reason_of: HashMap::new(),
+            vectors_of: Default::default(),
             record: Construction {
                 space: Space {
                     metres_per_mm: scales.length(),

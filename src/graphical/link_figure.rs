@@ -130,8 +130,11 @@ impl Draughtsman<'_> {
 
     /// The real distance of two points of a link: as given, or measured and said so.
     pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount {
-        if let Some(&(.., length)) =
-            self.lengths.iter().find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
+        if let Some(&(.., length)) = self
+            .lengths
+            .iter()
+            .rev()
+            .find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
         {
             return length;
         }

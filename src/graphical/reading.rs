@@ -1,5 +1,7 @@
 //! Reads the asked quantities off the finished diagrams.
 
+use std::collections::HashMap;
+
 use crate::board::{
     Amount, Angle, Arithmetic, Direction, Judged, Line, Location, Point, Real, TOO_LARGE, Tape,
 };
@@ -81,6 +83,15 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
         })
         .collect();
     (readings, slots)
+}
+
+/// Vectors of a diagram by what they stand for, as far as somebody asked.
+#[derive(Debug, Default)]
+pub(super) struct Listed {
+    /// The first for each quantity.
+    first: HashMap<Quantity, usize>,
+    /// How many of the diagram's vectors are listed.
+    count: usize,
 }
 
 /// An asked quantity in the arithmetic of its board.
@@ -225,25 +236,48 @@ impl Draughtsman<'_> {
 
 impl Draughtsman<'_> {
     /// The paper length of the vector that stands for a quantity.
-    fn drawn_length(&self, quantity: &Quantity) -> Option<f64> {
+    fn drawn_length(&mut self, quantity: &Quantity) -> Option<f64> {
         [Order::Velocity, Order::Acceleration].into_iter().find_map(|order| {
-            let vector = self.polygon(order)?.vectors.iter().find(|v| self.stands_for(v, *quantity))?;
+            let vector = self.vector_of(order, *quantity)?;
+            let vector = self.polygon(order)?.vectors.get(vector)?;
             Some(libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]))
         })
     }
 
-    /// Whether a vector of the paper is this quantity. A point against that of a link under a pin of another is not the
+    /// The first vector of the paper that is this quantity. A point against that of a link under a pin of another is not the
     /// point against the pin, though it is named by both.
-    fn stands_for(&self, vector: &Vector, quantity: Quantity) -> bool {
+    fn vector_of(&mut self, order: Order, quantity: Quantity) -> Option<usize> {
+        /// So many are looked through as fast as they are listed.
+        const FEW: usize = 64;
+        let mechanism = self.mechanism;
         let under = |label: Label| match label {
             Label::Image { point, link: Some(link) } | Label::Foot { point, link: Some(link), .. } => {
-                !self.mechanism.link(link).points.contains(&point)
+                !mechanism.link(link).points.contains(&point)
             }
             _ => false,
         };
-        let by_points =
-            matches!(quantity, Quantity::RelativeVelocity(..) | Quantity::RelativeAcceleration(..));
-        vector.quantity == quantity && !(by_points && (under(vector.tail) || under(vector.head)))
+        let stands_for = |vector: &Vector| {
+            let by_points = matches!(
+                vector.quantity,
+                Quantity::RelativeVelocity(..) | Quantity::RelativeAcceleration(..)
+            );
+            !(by_points && (under(vector.tail) || under(vector.head)))
+        };
+        let mut listed = std::mem::take(&mut self.vectors_of);
+        let found = self.polygon(order).and_then(|polygon| {
+            let vectors = &polygon.vectors;
+            if vectors.len() <= FEW {
+                return vectors.iter().position(|v| v.quantity == quantity && stands_for(v));
+            }
+            let Listed { first, count } = &mut listed[usize::from(order == Order::Acceleration)];
+            for (index, vector) in vectors.iter().enumerate().skip(*count).filter(|(_, v)| stands_for(v)) {
+                first.entry(vector.quantity).or_insert(index);
+            }
+            *count = vectors.len();
+            first.get(&quantity).copied()
+        });
+        self.vectors_of = listed;
+        found
     }
 
     /// What Klein's construction says of a quantity.
@@ -405,9 +439,7 @@ impl Draughtsman<'_> {
         tail: (Label, Point),
         head: (Label, Point),
     ) {
-        let drawn =
-            self.polygon(order).is_some_and(|p| p.vectors.iter().any(|v| self.stands_for(v, quantity)));
-        if drawn {
+        if self.silent || self.vector_of(order, quantity).is_some() {
             return;
         }
         let found_with = match head.0 {

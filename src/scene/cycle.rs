@@ -7,6 +7,7 @@ use super::forces::effort_of_link;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, number};
+use crate::limits::KNOTS;
 use crate::mechanism::curve::{Curve, Harmonic};
 use crate::mechanism::cycle::{Copies, Course, Cycle, CycleQuantity, Rotating, RotatingInertia, Sides};
 use crate::mechanism::quantity::Quantity;
@@ -37,8 +38,6 @@ pub(super) const CYCLE: [(&str, &str); 19] = [
 
 /// Crossings, areas and levels are numbered up to here.
 const MOST: u32 = 1_000_000;
-/// No table has more knots.
-const MOST_KNOTS: usize = 5000;
 /// No cycle has more copies of its curves.
 const MOST_COPIES: u32 = 1000;
 
@@ -373,8 +372,8 @@ pub(super) fn curve(
 
 fn table(list: &Value<'_>, of: Measure, period: Given, draft: &Draft<'_>) -> Res<Curve> {
     let items = list.list("knots: [[angle, size], …]")?;
-    if items.is_empty() || items.len() > MOST_KNOTS {
-        return Err(Fault::new(list.at, format!("a table has 1 to {MOST_KNOTS} knots")));
+    if items.is_empty() || items.len() > KNOTS {
+        return Err(Fault::new(list.at, format!("a table has 1 to {KNOTS} knots")));
     }
     let mut knots: Vec<[Given; 2]> = Vec::new();
     for item in items {
@@ -438,8 +437,8 @@ fn areas(value: &Value<'_>, draft: &Draft<'_>) -> Res<Sides> {
     let items =
         fields.need("areas", "the areas between the curve and its mean, from the first crossing on")?;
     let list = items.list("a list of areas")?;
-    if list.is_empty() || list.len() > MOST_KNOTS {
-        return Err(Fault::new(items.at, format!("1 to {MOST_KNOTS} areas")));
+    if list.is_empty() || list.len() > KNOTS {
+        return Err(Fault::new(items.at, format!("1 to {KNOTS} areas")));
     }
     let areas = list.iter().map(|area| draft.scales.given(area, Measure::Number)).collect::<Res<Vec<_>>>()?;
     let scale = fields.need("scale", "what a unit of length of the paper stands for")?;

@@ -453,8 +453,9 @@ fn crowded(requests: &[Request]) -> Vec<bool> {
     }
     let in_crowd = |at: &Point| {
         let [x, y] = field(*at);
-        let fields =
-            (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j])).filter_map(|f| fields.get(&f));
+        let fields = (-1..=1)
+            .flat_map(|i| (-1..=1).map(move |j| [x.saturating_add(i), y.saturating_add(j)]))
+            .filter_map(|f| fields.get(&f));
         let near = fields.flatten().filter(|other| other.distance(*at) < AROUND);
         // Counted no further than it matters.
         near.take(CROWD + 1).count() > CROWD

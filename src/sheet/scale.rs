@@ -626,24 +626,57 @@ fn names_without_room(points: &[Point], vectors: &[(Point, Point)]) -> usize {
     without
 }
 
-/// How many points have another nearer than `least` that is not the same point.
-fn too_near(points: &[[f64; 2]], least: f64) -> usize {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let same = least * 1e-3;
-    let mut near = vec![false; sorted.len()];
-    for i in 0..sorted.len() {
-        for j in i + 1..sorted.len() {
-            if sorted[j][0] - sorted[i][0] >= least {
-                break;
-            }
-            let apart = libm::hypot(sorted[j][0] - sorted[i][0], sorted[j][1] - sorted[i][1]);
-            if apart > same && apart < least {
-                (near[i], near[j]) = (true, true);
+/// How large the largest diagram is, as far as it is drawn to a scale of the page or to one that the scene states, mm; of a
+/// question the skeleton.
+#[must_use]
+pub fn largest_diagram(scene: &Scene, construction: &Construction, question: bool) -> f64 {
+    let across = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for at in points {
+            for axis in [0, 1] {
+                (least[axis], most[axis]) = (least[axis].min(at[axis]), most[axis].max(at[axis]));
             }
         }
+        f64::max(most[0] - least[0], most[1] - least[1])
+    };
+    let mut sizes = vec![across(&mut construction.space.places.iter().flatten().copied())];
+    if !question {
+        for diagram in &construction.diagrams {
+            let ends = diagram.vectors.iter().flat_map(|vector| [vector.from, vector.to]);
+            sizes.push(across(&mut ends.chain(diagram.images.iter().map(|image| image.at))));
+        }
+        if let (Some(forces), Some(stated)) = (&construction.forces, scene.sheet.force_scale) {
+            let acting = forces.bodies.iter().flat_map(|body| &body.acting);
+            let acting = acting.chain(&forces.whole).chain(&forces.inertia);
+            sizes.extend(acting.map(|acting| libm::hypot(acting.force[0], acting.force[1]) / stated));
+        }
     }
-    near.into_iter().filter(|near| *near).count()
+    sizes.into_iter().fold(0.0, f64::max)
+}
+
+/// How many points have another nearer than `least` that is not the same point.
+fn too_near(points: &[[f64; 2]], least: f64) -> usize {
+    let same = least * 1e-3;
+    // Of a crowd in one place one stands for all.
+    let mut places: HashMap<[u64; 2], (usize, [f64; 2])> = HashMap::new();
+    for at in points {
+        places.entry(at.map(f64::to_bits)).or_insert((0, *at)).0 += 1;
+    }
+    let field = |at: [f64; 2]| at.map(|x| (x / least).floor() as i64);
+    let mut fields: HashMap<[i64; 2], Vec<[f64; 2]>> = HashMap::new();
+    for (_, at) in places.values() {
+        fields.entry(field(*at)).or_default().push(*at);
+    }
+    let near = |at: [f64; 2]| {
+        let [x, y] = field(at);
+        let around = [-1, 0, 1].map(|i| [-1, 0, 1].map(|j| [x.saturating_add(i), y.saturating_add(j)]));
+        let mut others = around.iter().flatten().filter_map(|field| fields.get(field)).flatten();
+        others.any(|other| {
+            let apart = libm::hypot(other[0] - at[0], other[1] - at[1]);
+            apart > same && apart < least
+        })
+    };
+    places.values().filter(|(_, at)| near(*at)).map(|(count, _)| count).sum()
 }
 
 /// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its

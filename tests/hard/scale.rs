@@ -1,16 +1,18 @@
-//! Long chains: they are answered as short ones are, and their sheets say what they have no room for.
+//! Long chains: they are answered as short ones are, and their sheets say what they have no room for. Scales beyond all
+//! measure.
 
 use std::time::Duration;
 
-use serde_json::{Map, json};
+use serde_json::{Map, Value, json};
 
-use linkgram::drawing::{self, Wish};
+use linkgram::drawing::{self, Kind, Wish};
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
 use linkgram::solve::{self, Solved};
 use linkgram::{analytic, scene, sheet};
 
 use super::Clock;
+use crate::common;
 
 /// A crank and parallelograms, one after the other.
 fn chain(dyads: u32) -> scene::Scene {
@@ -80,4 +82,35 @@ fn a_sheet_of_two_hundred_links_says_what_it_has_no_room_for() {
     assert!(figure.description.contains(said), "{}", figure.description);
     let svg = linkgram::render::svg::write(&figure);
     assert!(svg.contains("data-unnamed=\"") && svg.contains("–P99"), "no names are told");
+}
+
+/// A scale that is stated by mistake makes a diagram of any size: it is refused before a line is lettered.
+#[test]
+fn absurd_scales_are_refused_before_anything_is_laid_out() {
+    for (dimension, scale) in [
+        ("velocity", "1e-50 m/s per cm"),
+        ("velocity", "1e-9 cm/s per cm"),
+        ("acceleration", "1e-20 m/s^2 per mm"),
+        ("length", "1000000:1"),
+    ] {
+        let mut text: Value = serde_json::from_str(&common::example_text("s000-ch3a-1")).unwrap();
+        text["sheet"] = json!({"scales": {dimension: scale}});
+        let scene = scene::read(&text.to_string(), "scales.json").unwrap();
+        for kind in Kind::ALL {
+            let clock = Clock::start();
+            let drawn = drawing::figure(&scene, &Wish { kind, ..Wish::default() });
+            assert!(
+                clock.elapsed() < Duration::from_secs(5),
+                "{scale} as {kind:?} took {:?}",
+                clock.elapsed()
+            );
+            // A question shows no diagram but the skeleton.
+            if kind == Kind::Question && dimension != "length" {
+                assert!(drawn.is_ok(), "{scale} as {kind:?}");
+                continue;
+            }
+            let told = drawn.unwrap_err().told(&scene);
+            assert!(told.contains("at the stated scales a diagram would be "), "{told}");
+        }
+    }
 }

@@ -5,7 +5,7 @@
 use proptest::prelude::*;
 
 use super::bench::{Bench, Solution, both, near, number};
-use crate::analytic::AnalyticError;
+use crate::analytic::{AnalyticError, State};
 use crate::mechanism::quantity::{Answer, Indeterminate, Quantity};
 use crate::mechanism::{Form, Given, Input, Mechanism, Place, Sense};
 
@@ -767,6 +767,40 @@ fn a_chain_of_two_hundred_links_keeps_its_accuracy() {
     assert!(bound < 1e-10, "{bound:e}");
     near(s.alpha(202), 0.5, 1e-10);
     assert_eq!(s.state.singular_values().len(), 603);
+}
+
+/// Four-bars that are all different, one after the other.
+fn irregular_chain(dyads: u32) -> Bench {
+    let mut bench = Bench::new().fixed("G0", 0.0, 0.0).bar(2, "G0", "P0", 0.06).drive(2, Some(1.4), 1.0, 2.0);
+    let mut pin = [0.06 * libm::cos(1.4), 0.06 * libm::sin(1.4)];
+    for i in 1..=dyads {
+        let part = |k: u32| libm::sin(f64::from(7 * i + k) * 1.7);
+        let base = [0.12 * f64::from(i) + 0.015 * part(0), 0.015 * part(1)];
+        let next = [base[0] + 0.025 * part(2), base[1] + 0.06 + 0.01 * part(3)];
+        let length = |from: [f64; 2]| libm::hypot(next[0] - from[0], next[1] - from[1]);
+        let (before, here, ground) = (format!("P{}", i - 1), format!("P{i}"), format!("G{i}"));
+        bench = bench
+            .fixed(&ground, base[0], base[1])
+            .bar(2 * i + 1, &before, &here, length(pin))
+            .bar(2 * i + 2, &ground, &here, length(base))
+            .near(&here, next[0], next[1]);
+        pin = next;
+    }
+    bench
+}
+
+/// What it takes to see that the groups of a chain are regular is the same for each: no sweep goes back through all of
+/// them. Sketches are no smaller than what such a sweep tells.
+#[test]
+fn a_long_chain_is_seen_to_be_regular_link_by_link() {
+    let mut solution = irregular_chain(150).solve();
+    assert_eq!(solution.state.located.swept(), 0);
+    let State { model, located, .. } = &mut solution.state;
+    let radii = located.sketched_and_swept(model);
+    assert_eq!(radii.len(), 3 * 301);
+    for [sketched, swept] in radii {
+        assert!(swept <= sketched && sketched <= 1e4 * swept, "{sketched} of {swept}");
+    }
 }
 
 #[test]
