@@ -132,14 +132,19 @@ fn value_of(text: &str) -> Option<f64> {
         .ok()
 }
 
-/// What a line comes to as it is printed, with so many figures more than usual: one more where it lies half way.
+/// What a line comes to as it is printed, with so many figures more than usual: one more where it lies half way between two
+/// of three, and of four the larger.
 fn rounded(value: f64, more: usize) -> Option<f64> {
-    let to = |digits: usize| format!("{value:.*e}", digits - 1).parse::<f64>().ok();
+    let to = |value: f64, digits: usize| format!("{value:.*e}", digits - 1).parse::<f64>().ok();
     let digits = if value.abs() >= 1000.0 { 4 } else { 3 } + more;
-    let usual = to(digits)?;
+    let usual = to(value, digits)?;
     let half = 0.5 * libm::exp10(libm::log10(value.abs()).floor() - digits as f64 + 1.0);
     // As the page has it.
-    if ((value - usual).abs() - half).abs() <= 1e-6 * half { to(digits + 1) } else { Some(usual) }
+    match ((value - usual).abs() - half).abs() <= 1e-6 * half {
+        true if digits < 4 => to(value, digits + 1),
+        true => to(value + 0.2 * half * value.signum(), digits),
+        false => Some(usual),
+    }
 }
 
 /// How two numbers of a line go together.

@@ -16,6 +16,9 @@ use super::rich::{Item, Piece, Setter};
 /// Size of Arabic script beside Latin of size 1: its letters are lower in their em.
 const ARABIC: f64 = 1.12;
 
+/// The mark that stands for a letter of Arabic script and is not printed.
+const RIGHT_TO_LEFT: char = '\u{200f}';
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Way {
     Left,
@@ -67,6 +70,11 @@ fn fragments(items: &[Item]) -> Vec<Fragment> {
             piece if item.island => all.push(Fragment { piece: piece.clone(), way: Way::Left }),
             Piece::Run(text, face) => {
                 for c in text.chars() {
+                    // What follows this mark belongs to the line, even between two formulas.
+                    if c == RIGHT_TO_LEFT {
+                        all.push(Fragment { piece: Piece::Gap(0.0), way: Way::Right });
+                        continue;
+                    }
                     let way = way(c);
                     match all.last_mut() {
                         Some(Fragment { piece: Piece::Run(run, last), way: same })

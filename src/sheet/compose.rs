@@ -11,12 +11,13 @@ use super::growth::Births;
 use super::notation::Notation;
 use super::panels::{self, Panel, captioned, framed};
 use super::rich::Rich;
+use super::speeds::with_speeds_read;
 use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
 use super::{auxiliary, given, growth, human, positions, results, skeleton, transfer, wanted};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::Construction;
+use crate::graphical::construction::{Act, Construction};
 use crate::mechanism::PointId;
 use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
 use crate::plan::Auxiliary;
@@ -99,7 +100,7 @@ pub const fn figure_names() -> &'static [&'static str] {
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &told_apart(construction, &notation);
+    let construction = &with_speeds_read(told_apart(construction, &notation), &notation);
     let panels = Panel::all(construction).into_iter();
     let drawn: Vec<(Panel, Block)> =
         panels.filter_map(|panel| Some((panel, panel.block(construction, &notation)?))).collect();
@@ -373,12 +374,13 @@ const ACTS: usize = 4;
 pub fn step_by_step(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &growth::alone(&told_apart(construction, &notation));
+    let told_apart = with_speeds_read(told_apart(construction, &notation), &notation);
+    let construction = &growth::alone(&told_apart);
     let births = Births::of(construction, notation.mechanism());
     let (width, height) = paper(scene);
     let told = steps::by_step(construction, &notation);
     let mut board = Blackboard::new(construction, &notation, &births);
-    let pieces = pieces(&told, &births);
+    let pieces = pieces(&told, construction, &births);
     let untold = untold(&pieces, construction);
     let drawn: Vec<(Piece, Vec<Block>)> = pieces
         .into_iter()
@@ -470,10 +472,18 @@ struct Piece {
 }
 
 /// What is told in pieces of no more acts than one picture shows; short steps in one drawing stand together.
-fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
+fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Vec<Piece> {
     let mut all: Vec<Piece> = Vec::new();
     for told in told {
-        let acts = told.acts.iter().flatten().count();
+        // A reading leaves nothing on the paper, and a pole alone is no picture.
+        let steps = &construction.steps;
+        let draws = |act: &usize| {
+            let own = steps.get(told.step).and_then(|step| step.acts.get(*act));
+            let bare =
+                matches!(own, Some(Act::ReadVector { .. } | Act::MeasureLength { .. } | Act::MarkPole));
+            !bare || !matches!(told.drawn, Some(Panel::Diagram(_)))
+        };
+        let acts = told.acts.iter().flatten().filter(|act| draws(act)).count();
         let parts = acts.div_ceil(ACTS).max(1);
         let each = acts.div_ceil(parts);
         let step = if told.drawn == Some(Panel::Centres) { births.last().step + 1 } else { told.step };
@@ -486,13 +496,14 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
         };
         let mut own = vec![fresh()];
         for (item, act) in told.items.iter().zip(&told.acts) {
-            if act.is_some() && own.last().is_some_and(|piece| piece.acts == each) {
+            let counts = act.as_ref().is_some_and(draws);
+            if counts && own.last().is_some_and(|piece| piece.acts == each) {
                 own.push(fresh());
             }
             let Some(piece) = own.last_mut() else { continue };
             piece.items.push(item.clone());
+            piece.acts += usize::from(counts);
             if let Some(act) = *act {
-                piece.acts += 1;
                 piece.upto.act = piece.upto.act.max(act);
             }
         }
@@ -504,7 +515,7 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
             match all.last_mut() {
                 Some(before)
                     if before.whole
-                        && piece.whole
+                        && (piece.whole || before.acts == 0)
                         && before.drawn == piece.drawn
                         && matches!(piece.drawn, Some(Panel::Diagram(_)))
                         && before.acts + piece.acts <= ACTS =>
@@ -512,6 +523,7 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
                     before.items.extend(piece.items);
                     before.acts += piece.acts;
                     before.upto = piece.upto;
+                    before.whole = piece.whole;
                 }
                 _ => all.push(piece),
             }
@@ -524,7 +536,10 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
 #[cfg(test)]
 pub(super) fn acts_of_pictures(construction: &Construction, notation: &Notation<'_>) -> Vec<usize> {
     let births = Births::of(construction, notation.mechanism());
-    pieces(&steps::by_step(construction, notation), &births).iter().map(|piece| piece.acts).collect()
+    pieces(&steps::by_step(construction, notation), construction, &births)
+        .iter()
+        .map(|piece| piece.acts)
+        .collect()
 }
 
 /// The finished diagrams, each drawn once, and how far it has been shown.
@@ -593,7 +608,8 @@ impl<'a> Blackboard<'a> {
 pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &growth::alone(&told_apart(construction, &notation));
+    let told_apart = with_speeds_read(told_apart(construction, &notation), &notation);
+    let construction = &growth::alone(&told_apart);
     let births = Births::of(construction, notation.mechanism());
     // The places of the diagrams are those that the finished ones need: the skeleton, below it the others in pairs.
     let finished: Vec<(Group, Rect)> = Panel::diagrams(construction)
@@ -670,7 +686,7 @@ pub fn single_after(
 ) -> Option<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &told_apart(construction, &notation);
+    let construction = &with_speeds_read(told_apart(construction, &notation), &notation);
     let block_at = |place: usize, panel: Panel| panel.block_at(place, construction, &notation);
     let block = |panel: Panel| block_at(before, panel);
     let (block, heading) = match name {

@@ -23,7 +23,8 @@ pub fn sentences(
 ) -> Vec<Rich> {
     let teller = Teller { construction, n: notation, figures };
     let asked = notation.mechanism().asked.iter().zip(&construction.answers);
-    let own = asked.filter(|(asked, _)| asked.method == Method::Polygon);
+    let own = asked
+        .filter(|(asked, _)| asked.method == Method::Polygon && super::results::is_result(asked, notation));
     let mut all: Vec<Rich> = Vec::new();
     let measured: Vec<Rich> =
         own.clone().filter_map(|(asked, reading)| teller.measured(asked, reading)).collect();

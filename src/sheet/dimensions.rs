@@ -76,7 +76,7 @@ impl Artist<'_> {
     }
 
     fn stated(&self, metres: f64) -> Rich {
-        human::stated(metres / self.notation.scene.units.length.si)
+        given::stated_length(metres, &self.notation)
     }
 
     /// The stated lengths of links, each along its own line.

@@ -15,8 +15,8 @@ use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
-    Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId, Rider,
-    Roll, Sense, Slide,
+    Direction, Form, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId,
+    Rider, Roll, Sense, Slide,
 };
 
 /// A dimension of a link: the distance of two of its points, as stated.
@@ -141,6 +141,36 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
     }
 }
 
+/// A stated length in the scene's unit, without the figures that only a calculation has.
+pub(super) fn stated_length(si: f64, notation: &Notation<'_>) -> Rich {
+    let unit = notation.scene.units.length.si;
+    human::stated(human::rounded_to(si / unit, size(notation) / unit))
+}
+
+/// The size of what is stated: its longest dimension, or how far its places lie apart, metres.
+fn size(notation: &Notation<'_>) -> f64 {
+    let mechanism = notation.mechanism();
+    let links = mechanism.moving().map(|link| mechanism.link(link));
+    let longest = links.flat_map(|link| dimensions(link, notation)).map(|d| d.length).fold(0.0, f64::max);
+    let places = || mechanism.points.iter().filter_map(|point| point.place.exact());
+    let spread = |axis: usize| {
+        let all = places().map(|at| at[axis].value);
+        all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
+    };
+    [0, 1].map(spread).into_iter().fold(longest, f64::max)
+}
+
+/// As a scene rounds an angle.
+const ROUNDED: f64 = 1e-9;
+
+/// The angle of a guide against the axes in which it is stated.
+fn turned_from(direction: Direction, turned: f64) -> f64 {
+    match direction {
+        Direction::Angle(angle) => angle.value + turned,
+        Direction::Toward(_) => turned,
+    }
+}
+
 struct Teller<'a> {
     n: &'a Notation<'a>,
 }
@@ -181,7 +211,7 @@ impl Teller<'_> {
     }
 
     fn length(&self, si: f64) -> Rich {
-        human::stated_quantity(si, &self.n.scene.units.length)
+        human::with_unit(&stated_length(si, self.n), &self.n.scene.units.length.symbol)
     }
 
     fn pair(&self, x: f64, y: f64) -> Rich {
@@ -189,7 +219,8 @@ impl Teller<'_> {
         const ROUNDED: f64 = 1e-9;
         let unit = self.n.scene.units.length.si;
         let least = ROUNDED * x.abs().max(y.abs());
-        let [x, y] = [x, y].map(|si| if si.abs() < least { 0.0 } else { si / unit });
+        let size = size(self.n) / unit;
+        let [x, y] = [x, y].map(|si| if si.abs() < least { 0.0 } else { human::rounded_to(si / unit, size) });
         Rich::upright("(")
             .then(&human::stated_beside(x, y))
             .up(";\u{a0}")
@@ -330,7 +361,9 @@ impl Teller<'_> {
         let place = place_of(through, self.n);
         let told = match direction {
             // A rider that drives has a sense along its guide, which the angle tells.
-            Direction::Angle(_) if self.n.lie(index).is_some() && !self.drives(index) => {
+            Direction::Angle(_)
+                if self.n.lie(index).is_some() && (!self.drives(index) || self.led_from(index).is_some()) =>
+            {
                 let guide = ("guide", self.n.named_guide(index));
                 Rich::fill(words.given_guide_through, &[guide, ("place", place)])
             }
@@ -340,12 +373,30 @@ impl Teller<'_> {
                 // A link that is nothing but a guide has no axes of its own.
                 let alone = matches!(self.n.mechanism().link(slide.guide.link).form, Form::Single)
                     && matches!(through, GuidePoint::Point(_));
+                if let (false, Some(line)) = (frame, self.line_from(slide.guide.link, through)) {
+                    let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
+                    let own = turned_from(direction, turned.value);
+                    let along = libm::sin(own).abs() < ROUNDED;
+                    let aside = || Rich::fill(words.given_turned, &[("angle", human::degrees(own))]);
+                    let told = if along { told } else { told.up(" ").then(&aside()) };
+                    return Some(self.offset(told, offset.value));
+                }
                 let template = match (frame, alone) {
                     (true, _) => words.given_guide,
+                    // Its axes are those of the guide on which it rides.
+                    (false, true) if self.rides_along(slide.guide.link) => words.given_slot_at,
                     (false, true) => words.given_slot_through,
                     (false, false) => words.given_guide_moving,
                 };
-                Rich::fill(template, &[guide, link, ("place", place), angle])
+                let told = Rich::fill(template, &[guide, link, ("place", place), angle]);
+                match (frame, through, self.own_line(slide.guide.link)) {
+                    (false, GuidePoint::Own(_), Some(line)) => {
+                        let from = self.n.mechanism().link(slide.guide.link).points.first().copied();
+                        let from = from.map(|p| self.n.point(p)).unwrap_or_default();
+                        Rich::fill(words.given_own_place, &[("places", told), ("from", from), ("line", line)])
+                    }
+                    _ => told,
+                }
             }
             Direction::Toward(target) => {
                 let line = match through {
@@ -373,10 +424,30 @@ impl Teller<'_> {
                 }
             }
         };
-        if offset.value == 0.0 {
-            return Some(told);
+        Some(self.offset(told, offset.value))
+    }
+
+    /// A guide with how far it lies beside the line that was told.
+    fn offset(&self, guide: Rich, offset: f64) -> Rich {
+        if offset == 0.0 {
+            return guide;
         }
-        Some(told.up(" ").then(&Rich::fill(words.given_offset, &[("offset", self.length(offset.value))])))
+        guide.up(" ").then(&Rich::fill(self.n.words.given_offset, &[("offset", self.length(offset))]))
+    }
+
+    /// The own line of a link of two joints, where a guide begins at the first of them: its angle is measured from there.
+    fn line_from(&self, link: LinkId, through: GuidePoint) -> Option<Rich> {
+        let first = self.n.mechanism().link(link).points.first().copied()?;
+        self.own_line(link).filter(|_| through == GuidePoint::Point(first))
+    }
+
+    /// Whether a link rides without turning on a guide of the frame along its own axes.
+    fn rides_along(&self, link: LinkId) -> bool {
+        self.n.mechanism().slides.iter().any(|slide| {
+            matches!(slide.rider, Rider::Link { link: own, turned: Some(turned) } if own == link && turned.value == 0.0)
+                && slide.guide.link == LinkId::FRAME
+                && matches!(slide.guide.path, Path::Straight { .. })
+        })
     }
 
     /// The line of a link that has nothing but a length, by its ends.
@@ -386,6 +457,21 @@ impl Teller<'_> {
             (Form::Length(_), [from, to, ..]) => Some(self.n.length(*from, *to)),
             _ => None,
         }
+    }
+
+    /// From where the place of a driven rider is measured along its guide on the frame, and in which direction that and its
+    /// velocity are positive.
+    fn led_from(&self, index: usize) -> Option<[(&'static str, Rich); 2]> {
+        let placed =
+            |input: &Input| matches!(input, Input::Slide { slide, at: Some(_), .. } if *slide == index);
+        let slide = self.n.mechanism().slides.get(index).filter(|own| own.guide.link == LinkId::FRAME)?;
+        let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } = slide.guide.path
+        else {
+            return None;
+        };
+        let told = offset.value == 0.0 && self.n.mechanism().inputs.iter().any(placed);
+        let angle = human::degrees(angle.value + turned.value);
+        told.then(|| [("place", place_of(through, self.n)), ("angle", angle)])
     }
 
     /// Whether the rider on this guide is driven along it.
@@ -418,16 +504,35 @@ impl Teller<'_> {
                     (guide.link, guide.path)
                     && let Direction::Angle(angle) = direction
                 {
-                    let angle = ("angle", human::degrees(angle.value + turned.value));
+                    let own = angle.value + turned.value;
+                    let angle = ("angle", human::degrees(own));
                     let place = ("place", place_of(through, self.n));
-                    let told = Rich::fill(words.given_rail, &[wheel, radius, place, angle]);
+                    let level = libm::sin(own).abs() < ROUNDED;
+                    let template = if level { words.given_rail_level } else { words.given_rail };
+                    let told = Rich::fill(template, &[wheel, radius, place, angle]);
                     let aside = [("offset", self.length(offset.value))];
                     let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
                     return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
                 }
-                Rich::fill(words.given_rack, &[wheel, radius, ("link", self.number(guide.link))])
+                let link = ("link", self.number(guide.link));
+                match self.line_of_rack(guide) {
+                    Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
+                    None => Rich::fill(words.given_rack, &[wheel, radius, link]),
+                }
             }
         }
+    }
+
+    /// The line of a link on which a wheel rolls, by two of the link's points.
+    fn line_of_rack(&self, guide: &Guide) -> Option<Rich> {
+        let Path::Straight { through, direction, turned, offset } = guide.path else { return None };
+        let (GuidePoint::Point(from), true) = (through, offset.value == 0.0) else { return None };
+        let own = libm::sin(turned_from(direction, turned.value)).abs() < ROUNDED;
+        match direction {
+            Direction::Toward(to) => Some(self.n.length(from, to)),
+            Direction::Angle(_) => self.line_from(guide.link, through),
+        }
+        .filter(|_| own)
     }
 
     /// Weights, moments of inertia, loads and springs.
@@ -805,7 +910,12 @@ impl Teller<'_> {
                 if let Some(at) = at {
                     let distance = ("distance", self.length(at.value));
                     let point = ("point", self.n.point(point));
-                    parts.push(Rich::fill(self.n.words.given_at, &[point, distance]));
+                    parts.push(match self.led_from(*slide).filter(|_| self.n.lie(*slide).is_some()) {
+                        Some(from) => {
+                            Rich::fill(self.n.words.given_at_angle, &[&[point, distance], &from[..]].concat())
+                        }
+                        None => Rich::fill(self.n.words.given_at, &[point, distance]),
+                    });
                 }
                 if self.rests([velocity.value, acceleration.value]) {
                     return;

@@ -11,7 +11,7 @@ pub fn number(value: f64) -> Rich {
     if (short - value).abs() <= 1e-9 * value.abs() {
         return figures(value, 3, true);
     }
-    figures(value, without_a_tie(value, usual_figures(value)), false)
+    computed(value, usual_figures(value)).0
 }
 
 /// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number.
@@ -21,16 +21,36 @@ pub fn number_told(told: f64, exact: f64) -> Rich {
     if (short - exact).abs() <= 1e-9 * exact.abs() {
         return number(told);
     }
-    figures(told, without_a_tie(told, usual_figures(told)), false)
+    computed(told, usual_figures(told)).0
+}
+
+/// A number with so many figures, or one more where it needs it, and the number that then stands there.
+fn computed(value: f64, digits: usize) -> (Rich, f64) {
+    let digits = without_a_tie(value, digits);
+    let value = off_the_tie(value, digits);
+    let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    (figures(value, digits, false), written)
+}
+
+/// Whether a number lies half way between two of so many figures.
+fn is_half_way(value: f64, digits: usize) -> bool {
+    let written: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    let half = 0.5 * unit_in_the_last(value, digits);
+    ((value - written).abs() - half).abs() <= 1e-6 * half
 }
 
 /// So many figures, or one more where the number lies half way between two of so many: rounded up or down it would be what
-/// somebody else does not get.
+/// somebody else does not get. A fifth figure nobody reads: there half way goes up, as everybody rounds.
 fn without_a_tie(value: f64, digits: usize) -> usize {
-    let written: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
-    let half = 0.5 * unit_in_the_last(value, digits);
-    let is_half = ((value - written).abs() - half).abs() <= 1e-6 * half;
-    digits + usize::from(is_half)
+    digits + usize::from(digits < READ_FIGURES && is_half_way(value, digits))
+}
+
+/// A number that is written with so many figures; what lies half way is moved off it, away from zero.
+fn off_the_tie(value: f64, digits: usize) -> f64 {
+    if !is_half_way(value, digits) {
+        return value;
+    }
+    value + libm::copysign(0.1 * unit_in_the_last(value, digits), value)
 }
 
 /// A unit of the last place of a number of so many figures.
@@ -50,9 +70,7 @@ pub(super) fn finer(value: f64, more: usize) -> (Rich, f64) {
     if (short - value).abs() <= 1e-9 * value.abs() {
         return (figures(value, 3, true), short);
     }
-    let digits = without_a_tie(value, usual_figures(value) + more);
-    let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
-    (figures(value, digits, false), written)
+    computed(value, usual_figures(value) + more)
 }
 
 /// Three figures, four from a thousand on.
@@ -60,14 +78,9 @@ fn usual_figures(value: f64) -> usize {
     if value.abs() >= 1000.0 { 4 } else { 3 }
 }
 
-/// Whether a number, rounded to so many figures more than [`number`] gives, is what stands there for `result`.
-fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
-    let (_, written) = finer(result, more);
-    if written == 0.0 || !written.is_finite() {
-        return reckoned == written;
-    }
-    let digits = without_a_tie(result, usual_figures(result) + more);
-    (reckoned - written).abs() < 0.5 * unit_in_the_last(written, digits) * (1.0 - 1e-6)
+/// Whether a number, rounded as [`number`] rounds, is what stands there for `result`.
+fn rounds_to(reckoned: f64, result: f64) -> bool {
+    agrees(reckoned, finer(result, 0).1, result, 0)
 }
 
 /// More figures than this no line needs to close.
@@ -81,7 +94,7 @@ pub fn closing<const N: usize>(
     reckon: impl Fn([f64; N]) -> f64,
 ) -> [Rich; N] {
     let with = |more: usize| factors.map(|factor| finer(factor, more));
-    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result);
     let more = (0..=GUARDS).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text)
 }
@@ -93,28 +106,43 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
     let with = |more: usize| factors.iter().map(move |factor| finer(*factor, more));
     let closes = |more: &usize| {
         let written: Vec<f64> = with(*more).map(|(_, written)| written).collect();
-        rounds_to(reckon(&written), result, 0)
+        rounds_to(reckon(&written), result)
     };
     let more = (0..=MOST).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text).collect()
 }
 
-/// A reading on paper, and what it is by the scale, as the one is rounded to the tenth of a millimetre, or to the hundredth
-/// where the product would not be the printed one without it, and what is longer than a decimetre to the tenth; with so many
-/// figures more than usual; and the number that then stands there.
+/// A reading on paper, and what it is by the scale: to the tenth of a millimetre, or with as many of its four figures more as
+/// it takes for the product to be the printed one, a fifth as a guard; what then lies half way is read a hundredth further off.
+/// With so many figures more than usual; and the number that then stands there.
 pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
-    let finest = if mm < DECIMETRE { 2 } else { 1 };
+    let finest = match mm {
+        mm if mm < 0.1 * DECIMETRE => 3,
+        mm if mm < DECIMETRE => 2,
+        _ => 1,
+    };
     // Nobody reads five figures.
     let more = more.min(READ_FIGURES.saturating_sub(usual_figures(result)));
-    let read = |decimals: usize| format!("{mm:.decimals$}").parse().unwrap_or(mm) * factor;
+    let to = |decimals: usize| -> f64 { format!("{mm:.decimals$}").parse().unwrap_or(mm) };
+    let beside = |decimals: usize| {
+        let place = libm::exp10(-(decimals as f64));
+        if to(decimals) > mm { to(decimals) - place } else { to(decimals) + place }
+    };
     let (wanted, written) = limited(result, more);
-    let shown = |decimals: usize| with_unit(&Rich::upright(fixed(mm, decimals)), "mm");
-    if let Some(decimals) = (1..=finest).find(|decimals| agrees(read(*decimals), written, result, more)) {
-        return (shown(decimals), wanted, written);
+    let shown = |read: f64, decimals: usize| with_unit(&Rich::upright(fixed(read, decimals)), "mm");
+    let near = (1..=finest).flat_map(|decimals| {
+        let other = (decimals > 1).then(|| beside(decimals));
+        [to(decimals)].into_iter().chain(other).map(move |read| (read, decimals))
+    });
+    // A guard figure, where nothing else gives the result.
+    let near = near.chain([(to(finest + 1), finest + 1)]);
+    let mut closing = near.filter(|(read, _)| agrees(read * factor, written, result, more));
+    if let Some((read, decimals)) = closing.next() {
+        return (shown(read, decimals), wanted, written);
     }
     // No ruler reads finer: the result is that of what was read.
-    let (amount, written) = limited(read(finest), more);
-    (shown(finest), amount, written)
+    let (amount, written) = limited(to(finest) * factor, more);
+    (shown(to(finest), finest), amount, written)
 }
 
 /// Readings on paper as finely as what is reckoned from them needs, to the hundredth of a millimetre at most.
@@ -133,26 +161,55 @@ const READ_FIGURES: usize = 4;
 const MOST_FIGURES: usize = 5;
 
 /// A number with so many figures more than usual, of which there are five at most, and the number that then stands there.
+/// Noughts at its end that are more than usual say nothing.
 pub fn limited(value: f64, more: usize) -> (Rich, f64) {
-    let most = MOST_FIGURES.saturating_sub(usual_figures(value));
-    finer(value, more.min(most))
+    let most = more.min(MOST_FIGURES.saturating_sub(usual_figures(value)));
+    let (text, written) = finer(value, most);
+    let same = |fewer: &(Rich, f64)| fewer.1 == written;
+    (0..most).map(|fewer| finer(value, fewer)).find(same).unwrap_or((text, written))
 }
 
-/// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it; what lies
-/// half way to the next is not.
+/// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it: what lies
+/// half way between two of four figures is the larger, what lies half way between two of three is neither.
 pub fn agrees(reckoned: f64, written: f64, result: f64, more: usize) -> bool {
     if written == 0.0 || !written.is_finite() {
         return reckoned == written;
     }
     let usual = usual_figures(result);
     let digits = without_a_tie(result, (usual + more).clamp(usual, MOST_FIGURES));
-    (reckoned - written).abs() < 0.5 * unit_in_the_last(written, digits) * (1.0 - 1e-6)
+    let halves = (reckoned - written) * written.signum() / (0.5 * unit_in_the_last(written, digits));
+    let least = if digits < READ_FIGURES { -1.0 + 1e-6 } else { -1.0 - 1e-6 };
+    (least..1.0 - 1e-6).contains(&halves)
 }
 
-/// A stated number, as it is written where it is given; of a number that has more figures those of [`limited`].
+/// A stated number, as it is written where it is given; of a number that has more than five figures those of [`limited`].
 pub fn given(value: f64, more: usize) -> (Rich, f64) {
-    let short: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if (short - value).abs() <= 1e-9 * value.abs() { (stated(value), short) } else { limited(value, more) }
+    let short: f64 = format!("{value:.*e}", MOST_FIGURES - 1).parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * value.abs() {
+        return (stated(value), short);
+    }
+    // What was calculated for the statement stands there with the four figures of a careful one.
+    let longer: f64 = format!("{value:.*e}", STATED_FIGURES - 1).parse().unwrap_or(value);
+    let is_stated = (longer - value).abs() <= 1e-9 * value.abs();
+    limited(value, if is_stated { more.max(READ_FIGURES.saturating_sub(usual_figures(value))) } else { more })
+}
+
+/// A stated number of more than five figures that was calculated, a crank of 70.7107 mm: what is lost is less than a
+/// ten-thousandth part of the size of what is stated.
+pub fn rounded_to(value: f64, size: f64) -> f64 {
+    /// Finer nobody draws.
+    const PART: f64 = 1e-4;
+    let short: f64 = format!("{value:.*e}", MOST_FIGURES - 1).parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * value.abs() || size <= 0.0 || !size.is_finite() {
+        return value;
+    }
+    let place = libm::exp10(libm::floor(libm::log10(2.0 * PART * size)));
+    // Divided by a whole number a decimal is the double that is next to it.
+    if place < 1.0 {
+        let whole = libm::round(1.0 / place);
+        return libm::round(value * whole) / whole;
+    }
+    libm::round(value / place) * place
 }
 
 /// A printed number in a unit that is a power of ten of its own, and the number that then stands there: its figures stay.
@@ -172,8 +229,11 @@ pub fn factor(value: f64) -> (Rich, f64) {
 /// A stated number: as many of its figures as it needs, at most six.
 #[must_use]
 pub fn stated(value: f64) -> Rich {
-    figures(value, 6, true)
+    figures(value, STATED_FIGURES, true)
 }
+
+/// More figures nobody states.
+const STATED_FIGURES: usize = 6;
 
 /// A stated coordinate beside another: a small one has its decimals, and no power of ten, where the other has none.
 #[must_use]
@@ -339,6 +399,9 @@ mod tests {
             (-0.012_45, "−0.01245"),
             (22.25, "22.25"),
             (562.500_1, "563"),
+            // Of four figures it goes up.
+            (1657.5, "1658"),
+            (-4002.5, "−4003"),
             (-214_200.0, "−214\u{2009}200"),
             (1.26e6, "1.26\u{a0}×\u{a0}106"),
             (-2.511e-7, "−2.51\u{a0}×\u{a0}10−7"),
@@ -360,6 +423,11 @@ mod tests {
         assert_eq!(plain(&stated_beside(0.1916, -0.0004)), "0.1916");
         assert_eq!(plain(&stated_beside(0.0, 5.0)), "0");
         assert_eq!(plain(&stated_beside(-0.0004, 0.0)), "−0.0004");
+        assert_eq!(plain(&stated(rounded_to(70.7107, 100.0))), "70.71");
+        assert_eq!(plain(&stated(rounded_to(134.853, 400.0))), "134.85");
+        assert_eq!(plain(&stated(rounded_to(0.134_853, 0.4))), "0.13485");
+        assert_eq!(plain(&stated(rounded_to(1234.5, 2000.0))), "1234.5");
+        assert_eq!(plain(&given(70.7107, 0).0), "70.71");
         assert_eq!(plain(&stated_beside(2.5e-8, 3e-8)), "2.5\u{a0}×\u{a0}10−8");
         assert_eq!(plain(&stated_beside(1.2345e-7, 0.5)), "1.2345\u{a0}×\u{a0}10−7");
     }
@@ -377,13 +445,19 @@ mod tests {
             [mm, amount].map(|part| plain(&part))
         };
         assert_eq!(line(35.062, 5.0), ["35.06\u{a0}mm", "175"]);
-        // Where it cannot be, the product is given as it is.
-        assert_eq!(line(682.504, 5.0), ["682.5\u{a0}mm", "3412.5"]);
-        assert_eq!(line(63.496, 5.0), ["63.50\u{a0}mm", "317.5"]);
+        // Where it cannot be, half way goes up.
+        assert_eq!(line(682.504, 5.0), ["682.5\u{a0}mm", "3413"]);
+        // 63.50 × 5 is half way between two of three figures: it is read a hundredth further off.
+        assert_eq!(line(63.496, 5.0), ["63.49\u{a0}mm", "317"]);
         assert_eq!(line(30.0, 5.0), ["30.0\u{a0}mm", "150"]);
-        // 57.4 × 50 is not 2871, and what is longer has no more figures than were read.
-        assert_eq!(line(57.426, 50.0), ["57.43\u{a0}mm", "2871.5"]);
-        assert_eq!(line(6.826, 5000.0), ["6.83\u{a0}mm", "34\u{2009}150"]);
+        // 57.4 × 50 is not 2871, 57.43 × 50 half way to it.
+        assert_eq!(line(57.426, 50.0), ["57.42\u{a0}mm", "2871"]);
+        assert_eq!(line(106.46, 50.0), ["106.46\u{a0}mm", "5323"]);
+        // Four figures are read, the fourth of less than a centimetre too.
+        assert_eq!(line(6.826, 5000.0), ["6.826\u{a0}mm", "34\u{2009}130"]);
+        // Noughts that are more than usual say nothing.
+        assert_eq!(plain(&limited(628.301, 2).0), "628.3");
+        assert_eq!(plain(&limited(2136.0, 1).0), "2136");
     }
 
     #[test]

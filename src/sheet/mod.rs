@@ -51,6 +51,7 @@ mod rich;
 pub mod scale;
 mod skeleton;
 mod slots;
+mod speeds;
 mod statics;
 mod steps;
 mod table;

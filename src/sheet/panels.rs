@@ -13,7 +13,7 @@ use super::table::Block;
 use super::words::Words;
 use super::{auxiliary, centres, circle, polygon, positions, skeleton, transfer};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::{Construction, Diagram};
+use crate::graphical::construction::{Construction, Diagram, TransferInk};
 use crate::mechanism::quantity::{DiagramKind, Dimension};
 
 /// The lines of a legend below a drawing may be as wide as this.
@@ -172,8 +172,18 @@ impl Panel {
             Self::Transfer(index) => {
                 let circle = construction.circle.as_ref()?;
                 let same = transfer::by_method(circle).into_iter().nth(index)?;
-                let scale = notation.scale(same.first()?.si_per_mm, Dimension::Velocity);
-                (transfer::title(&same, notation), scale)
+                let draws = |ink: &TransferInk| {
+                    matches!(
+                        ink,
+                        TransferInk::Velocity { .. }
+                            | TransferInk::Turned { .. }
+                            | TransferInk::Difference { .. }
+                    )
+                };
+                let draws = same.iter().flat_map(|transfer| &transfer.ink).any(draws);
+                let velocities = notation.scale(same.first()?.si_per_mm, Dimension::Velocity);
+                let both = || skeleton().aside(words.comma, &velocities);
+                (transfer::title(&same, notation), if draws { both() } else { skeleton() })
             }
             Self::Auxiliary(index) => {
                 let drawing = construction.auxiliary.get(index)?;

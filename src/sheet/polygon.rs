@@ -398,9 +398,13 @@ fn shown(at: Point, polygon: &Diagram, window: Rect) -> Point {
     if window.contains(at) {
         return at;
     }
-    let rays = polygon.lines.iter().filter_map(|line| match line {
-        ConstructionLine::Ray { from, to, .. } => Some((page(*from), page(*to))),
-        ConstructionLine::Arc { .. } => None,
+    // A line through trial images may begin with what lies outside.
+    let rays = polygon.lines.iter().flat_map(|line| match line {
+        ConstructionLine::Ray { from, to, .. } => {
+            let (from, to) = (page(*from), page(*to));
+            vec![(from, to), (to, from)]
+        }
+        ConstructionLine::Arc { .. } => Vec::new(),
     });
     let vectors = polygon.vectors.iter().flat_map(|v| [(v.from, v.to), (v.to, v.from)]);
     let vectors = vectors.map(|(from, to)| (page(from), page(to)));

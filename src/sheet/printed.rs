@@ -99,6 +99,13 @@ pub(super) struct Print {
     pub(super) unit: Unit,
 }
 
+impl Print {
+    /// The number that stands there, SI.
+    pub(super) fn si(&self) -> f64 {
+        self.number * self.unit.si
+    }
+}
+
 /// No number has so many figures more than usual that another does not close without.
 const MOST_MORE: usize = 2;
 

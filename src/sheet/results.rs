@@ -43,11 +43,15 @@ pub(super) fn count(notation: &Notation<'_>, orders: &[Order]) -> usize {
     notation.mechanism().asked.iter().filter(|asked| is_row(asked, notation, orders)).count()
 }
 
-/// Whether a quantity has a row among those of these orders. What the scene states is no result, where anything else is.
+/// Whether a quantity has a row among those of these orders.
 fn is_row(asked: &Asked, notation: &Notation<'_>, orders: &[Order]) -> bool {
+    orders.contains(&polygon_of(asked.quantity)) && is_result(asked, notation)
+}
+
+/// What the scene states is no result, where anything else is.
+pub(super) fn is_result(asked: &Asked, notation: &Notation<'_>) -> bool {
     let open = |asked: &Asked| !given::is_stated(asked.quantity, notation);
-    let any = || notation.mechanism().asked.iter().any(open);
-    orders.contains(&polygon_of(asked.quantity)) && (open(asked) || !any())
+    open(asked) || !notation.mechanism().asked.iter().any(open)
 }
 
 /// The scales that the scene states, for a question.

@@ -77,7 +77,7 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
 }
 
 /// Room for a diagram beside the words of a step, width and height in mm.
-pub const STEP: (f64, f64) = (72.0, 82.0);
+pub const STEP: (f64, f64) = (72.0, 104.0);
 
 /// The scales of a sheet that shows the steps one by one: each diagram fits beside its words.
 #[must_use]

@@ -8,7 +8,7 @@ use super::known::Known;
 use super::notation::Notation;
 use super::panels::Panel;
 use super::polygon::{seen_from, vector_name};
-use super::printed::{Figures, Key, absolute};
+use super::printed::{Figures, Key, Print, absolute};
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use super::words::counted;
@@ -19,7 +19,7 @@ use crate::graphical::construction::{
 use crate::graphical::is_a_point;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, Link, LinkId, Path, PointId, Rider, Roll, Slide};
 use crate::plan::Auxiliary;
 
 /// Flatter crossings than this are badly readable by hand.
@@ -91,6 +91,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     let mut measured: Vec<[PointId; 2]> = Vec::new();
     let mut marked = false;
     let mut known = Known::given(construction, notation, figures);
+    tell_driven_slides(notation, figures);
     let mut conversions = Some(conversions(notation, figures));
     for (i, step) in construction.steps.iter().enumerate() {
         // Where nothing moves forces need no diagram of the motion.
@@ -233,6 +234,30 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     }
     all.retain(|told| !told.items.is_empty());
     all
+}
+
+/// The stated rates of what is driven along a guide of the frame stand in tables of terms as they are stated.
+fn tell_driven_slides(notation: &Notation<'_>, figures: &RefCell<Figures>) {
+    let mechanism = notation.mechanism();
+    for input in &mechanism.inputs {
+        let Input::Slide { slide, velocity, acceleration, .. } = input else { continue };
+        let Some(slide) = mechanism.slides.get(*slide).filter(|slide| slide.guide.link == LinkId::FRAME)
+        else {
+            continue;
+        };
+        let point = match slide.rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => mechanism.link(link).points.first().copied(),
+        };
+        let Some(point) = point else { continue };
+        let rates = [
+            (Quantity::Velocity(point), velocity.value, Dimension::Velocity),
+            (Quantity::Acceleration(point), acceleration.value, Dimension::Acceleration),
+        ];
+        for (quantity, value, dimension) in rates.into_iter().filter(|(_, value, _)| *value != 0.0) {
+            figures.borrow_mut().tell(Key::of(quantity, notation), value, &notation.unit(dimension));
+        }
+    }
 }
 
 /// Whether a distance is that of a point which its link has by own coordinates, on the line from the first joint.
@@ -804,7 +829,7 @@ impl Teller<'_> {
             ),
             Act::DrawGuide { slide } => match self.slot_about(*slide) {
                 Some((pin, centre, radius)) => self.arc_about([pin, centre], radius),
-                None => self.arc_to_its_centre(*slide).unwrap_or_else(|| self.draw_guide(*slide)),
+                None => self.arc_to_its_centre(*slide).unwrap_or_else(|| self.draw_track(*slide)),
             },
             Act::LayOffAlong { slide, point, length } => {
                 let through = match n.mechanism().slides.get(*slide)?.guide.path {
@@ -855,6 +880,14 @@ impl Teller<'_> {
                     .into_iter()
                     .find(|d| [d.from, d.to].contains(point))
                     .filter(|_| drawn.is_some());
+                // What was laid off along its guide stands.
+                let laid = |act: &Act| matches!(act, Act::LayOffAlong { point: own, .. } if own == point);
+                if self.step.acts.iter().any(laid) {
+                    return None;
+                }
+                if self.is_where_lines_meet(*link, *point) {
+                    return Some(Rich::fill(words.mark_intersection, &[("point", n.point(*point))]));
+                }
                 match length {
                     Some(d) => {
                         let other = if d.from == *point { d.to } else { d.from };
@@ -876,10 +909,14 @@ impl Teller<'_> {
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
+                // By the number that stands there.
+                let scale = self.polygon()?.si_per_mm;
+                let printed = self.figures.borrow().print_of(self.key(vector)).map(Print::si);
+                let shown = printed.map_or(*mm, |si| si / scale);
                 let parts = [
                     ("vector", self.name(vector)),
                     ("image", n.image_line(vector.tail, vector.head, diagram)),
-                    ("mm", human::millimetres(*mm)),
+                    ("mm", human::millimetres(shown)),
                     ("tail", image(vector.tail)),
                     ("head", image(vector.head)),
                     ("direction", self.direction_of(vector)),
@@ -922,6 +959,10 @@ impl Teller<'_> {
                     ],
                 )
             }
+            Act::CompleteImage { label, base, .. } if self.ratio_on_line(*label, *base).is_some() => {
+                let ratio = self.ratio_on_line(*label, *base)?;
+                return self.act(&Act::DivideImage { label: *label, from: base[0], to: base[1], ratio });
+            }
             Act::CompleteImage { label, link, base } => Rich::fill(
                 words.complete_image,
                 &[
@@ -931,7 +972,18 @@ impl Teller<'_> {
                 ],
             ),
             Act::SameImage { label, with } => {
-                Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+                let same = Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))]);
+                // Two bodies have one velocity where they roll on each other.
+                let touches = match (*label, *with) {
+                    (Label::Image { point, .. }, Label::Image { point: other, .. }) if point != other => {
+                        false
+                    }
+                    (Label::Image { point, .. }, Label::Image { .. } | Label::Pole) => {
+                        diagram == DiagramKind::Velocity && n.mechanism().contacts.contains(&point)
+                    }
+                    _ => false,
+                };
+                if touches { Rich::fill(words.no_slip, &[("same", same)]) } else { same }
             }
             Act::LayOffFromCentre { vector, link, value, mm } => {
                 let vector = self.vector(*vector)?;
@@ -964,12 +1016,38 @@ impl Teller<'_> {
         Some(sentence)
     }
 
+    /// The part of the line between two points of a link at which a third one stands that lies on it.
+    fn ratio_on_line(&self, label: Label, base: [Label; 2]) -> Option<f64> {
+        /// By so much of the line's length may a point lie beside it for rounding.
+        const BESIDE: f64 = 1e-9;
+        let place = |label: Label| match label {
+            Label::Image { point, .. } => self.at(point),
+            _ => None,
+        };
+        let (at, from, to) = (place(label)?, place(base[0])?, place(base[1])?);
+        let (line, own) = ([to[0] - from[0], to[1] - from[1]], [at[0] - from[0], at[1] - from[1]]);
+        let square = line[0] * line[0] + line[1] * line[1];
+        let beside = (line[0] * own[1] - line[1] * own[0]).abs();
+        (beside <= BESIDE * square).then(|| (line[0] * own[0] + line[1] * own[1]) / square)
+    }
+
     /// What is known already of a vector by another that is the same arrow: where nothing speeds up the acceleration of a
     /// crank pin is its normal part.
     fn same_arrow(&self, vector: &Vector, key: Key, figures: &mut Figures) -> Option<Rich> {
+        /// By so much of their length may ends that are one differ for rounding.
+        const ONE: f64 = 1e-9;
         let polygon = self.polygon()?;
+        let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
+        let one = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]) <= ONE * length;
+        // A head that falls on another one is told to do so, and so is a part that is zero.
+        let is_drawn = |v: &Vector| !v.as_point && !v.is_zero;
         let same = |other: &&Vector| {
-            other.tail == vector.tail && other.head == vector.head && other.quantity != vector.quantity
+            let is_same = (other.tail, other.head) == (vector.tail, vector.head)
+                || is_drawn(vector)
+                    && is_drawn(other)
+                    && one(other.from, vector.from)
+                    && one(other.to, vector.to);
+            is_same && other.quantity != vector.quantity
         };
         let (other, print) = polygon
             .vectors
@@ -1040,15 +1118,85 @@ impl Teller<'_> {
         Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&Rich::upright(words.centre_on_arc)))
     }
 
+    /// Which guide is drawn, and the parallel to it on which the point lies that is found, where the guide leads another one.
+    fn draw_track(&self, index: usize) -> Rich {
+        let told = self.draw_guide(index);
+        match self.beside_guide(index) {
+            Some(parallel) => told.up(" ").then(&parallel),
+            None => told,
+        }
+    }
+
+    /// Whether a point is found in this step.
+    fn finds(&self, of: PointId) -> bool {
+        self.step.acts.iter().any(|act| match act {
+            Act::MarkIntersection { point, .. }
+            | Act::LayOffAlong { point, .. }
+            | Act::TransferPoint { point, .. } => *point == of,
+            Act::LayOffLink { to, .. } | Act::LayOffPlace { to, .. } => *to == of,
+            _ => false,
+        })
+    }
+
+    /// Where a point lies on paper.
+    fn at(&self, point: PointId) -> Option<[f64; 2]> {
+        self.construction.space.places.get(point.0).copied().flatten()
+    }
+
+    /// The parallel to a guide on which a link's point lies, where the guide leads another point of the link and the link's
+    /// direction is known: by so much and in this direction from that point, or so far from the guide.
+    fn beside_guide(&self, index: usize) -> Option<Rich> {
+        let (n, words) = (self.notation, self.notation.words);
+        let mechanism = n.mechanism();
+        let slide = mechanism.slides.get(index)?;
+        let led = self.rider(index).filter(|led| self.finds(*led))?;
+        let marked = self.step.acts.iter().find_map(|act| match act {
+            Act::MarkIntersection { point, .. } => Some(*point),
+            _ => None,
+        });
+        let marked = marked.filter(|marked| *marked != led)?;
+        let has_both = |link: &Link| [led, marked].iter().all(|point| link.points.contains(point));
+        let (from, to) = (self.at(led)?, self.at(marked)?);
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let per_mm = self.construction.space.metres_per_mm;
+        let size = |mm: f64| {
+            let value = human::quantity(mm * per_mm, &n.scene.units.length);
+            [("value", value), ("mm", human::millimetres(mm)), ("point", n.point(marked))]
+        };
+        if let Rider::Link { link, .. } = slide.rider {
+            let Path::Straight { direction: Direction::Angle(angle), turned, .. } = slide.guide.path else {
+                return None;
+            };
+            let (sin, cos) = libm::sincos(angle.value + turned.value);
+            let mm = (way[0] * sin - way[1] * cos).abs();
+            let told = has_both(mechanism.link(link)) && slide.guide.link == LinkId::FRAME && mm >= 0.05;
+            return told.then(|| Rich::fill(words.beside_guide, &size(mm)));
+        }
+        let driven = |input: &Input| match input {
+            Input::Angle { link, .. } => has_both(mechanism.link(*link)),
+            _ => false,
+        };
+        if !mechanism.inputs.iter().any(driven) {
+            return None;
+        }
+        let angle = human::degrees(libm::atan2(way[1], way[0]));
+        let line = [("length", n.length(led, marked)), ("angle", angle)];
+        Some(Rich::fill(words.shift_guide, &[&size(libm::hypot(way[0], way[1]))[..], &line].concat()))
+    }
+
     /// Which guide is drawn, and where.
     fn draw_guide(&self, index: usize) -> Rich {
         let (n, words) = (self.notation, self.notation.words);
         let guide = || ("guide", n.named_guide(index));
-        if let Some(line) = self.guide_before_its_rider(index) {
+        if let Some(line) = self.guide_before_its_rider(index).or_else(|| self.guide_through_its_rider(index))
+        {
             return line;
         }
         if let Some(line) = n.guide_line(index) {
             return Rich::fill(words.draw_guide_along, &[guide(), ("line", line)]);
+        }
+        if let Some(arc) = self.arc_guide(index) {
+            return arc;
         }
         let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link == LinkId::FRAME);
         match slide.map(|slide| slide.guide.path) {
@@ -1068,6 +1216,62 @@ impl Teller<'_> {
             }
             _ => Rich::fill(words.draw_guide, &[guide()]),
         }
+    }
+
+    /// The arc of a guide about a centre that stands.
+    fn arc_guide(&self, index: usize) -> Option<Rich> {
+        let (n, words) = (self.notation, self.notation.words);
+        let slide = n.mechanism().slides.get(index)?;
+        let Path::Arc { centre, radius } = slide.guide.path else { return None };
+        let stands = match centre {
+            GuidePoint::Point(point) => !self.finds(point),
+            GuidePoint::Own(_) => slide.guide.link == LinkId::FRAME,
+        };
+        if !stands {
+            return None;
+        }
+        let parts = [
+            ("centre", super::given::place_of(centre, n)),
+            ("length", Rich::italic("R")),
+            ("value", human::quantity(radius.value, &n.scene.units.length)),
+            ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
+        ];
+        let own = Rich::fill(words.arc_is_guide, &[("guide", n.named_guide(index))]);
+        Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&own))
+    }
+
+    /// The straight guide of a link that this step lays on its rider, which stands: by its direction, where the link does not
+    /// turn against what stands; beside its pivot as a tangent.
+    fn guide_through_its_rider(&self, index: usize) -> Option<Rich> {
+        let (n, words) = (self.notation, self.notation.words);
+        let mechanism = n.mechanism();
+        let slide = mechanism.slides.get(index).filter(|slide| slide.guide.link != LinkId::FRAME)?;
+        let Path::Straight { through: GuidePoint::Point(base), offset, .. } = slide.guide.path else {
+            return None;
+        };
+        let link = slide.guide.link;
+        let rider = self.rider(index).filter(|rider| *rider != base && !self.finds(*rider))?;
+        let named = ("guide", n.named_guide(index));
+        if !self.step.links.contains(&link) {
+            return None;
+        }
+        if offset.value != 0.0 {
+            let radius = offset.value.abs();
+            let mm = human::millimetres(radius / self.construction.space.metres_per_mm);
+            let value = human::quantity(radius, &n.scene.units.length);
+            let parts =
+                [("centre", n.point(base)), ("value", value), ("mm", mm), ("point", n.point(rider)), named];
+            return (!self.finds(base)).then(|| Rich::fill(words.tangent_guide, &parts));
+        }
+        let stands = |other: &LinkId| !self.step.links.contains(other);
+        let turned = super::derived::turning_with(link, mechanism).iter().any(stands);
+        if !self.finds(base) || !(turned || super::given::only_translates(link, mechanism, 0)) {
+            return None;
+        }
+        let (from, to) = (self.at(base)?, self.at(rider)?);
+        let angle = libm::remainder(libm::atan2(to[1] - from[1], to[0] - from[0]), std::f64::consts::PI);
+        let place = ("place", n.point(rider));
+        Some(Rich::fill(words.draw_guide_at, &[named, place, ("angle", human::degrees(angle))]))
     }
 
     /// The straight guide of a link that stands, where this step finds its rider: by two points of the link, else by its
@@ -1090,9 +1294,21 @@ impl Teller<'_> {
         if !self.step.acts.iter().any(finds) {
             return None;
         }
-        if let (Direction::Toward(target), true) = (direction, turned.value == 0.0) {
+        let along = |target: PointId| {
             let parts = [("guide", n.named_guide(index)), ("line", n.length(base, target))];
-            return Some(Rich::fill(words.draw_guide_along, &parts));
+            Some(Rich::fill(words.draw_guide_along, &parts))
+        };
+        if let (Direction::Toward(target), true) = (direction, turned.value == 0.0) {
+            return along(target);
+        }
+        // Another pin stands in the same slot.
+        let mut others = n.mechanism().slides.iter().enumerate();
+        let other = others.find_map(|(other, own)| {
+            let pin = (other != index && own.guide == slide.guide).then(|| self.rider(other))??;
+            (pin != base && !self.finds(pin)).then_some(pin)
+        });
+        if let Some(pin) = other {
+            return along(pin);
         }
         let places = &self.construction.space.places;
         let [from, to] = [base, rider].map(|p| places.get(p.0).copied().flatten());
@@ -1100,6 +1316,30 @@ impl Teller<'_> {
         let angle = human::degrees(libm::atan2(to[1] - from[1], to[0] - from[0]));
         let place = ("place", super::given::place_of(GuidePoint::Point(base), n));
         Some(Rich::fill(words.draw_guide_at, &[("guide", n.named_guide(index)), place, ("angle", angle)]))
+    }
+
+    /// Whether a point is where two lines meet that this step has drawn through standing points: the guide on which the link
+    /// rides by it, or slots of the link that lead through it.
+    fn is_where_lines_meet(&self, link: LinkId, point: PointId) -> bool {
+        let mechanism = self.notation.mechanism();
+        let leads_there = |index: usize| {
+            let Some(slide) = mechanism.slides.get(index) else { return false };
+            match slide.guide.path {
+                Path::Straight { through, offset, .. } if offset.value == 0.0 => {
+                    let rides = matches!(slide.rider, Rider::Link { link: own, .. } if own == link)
+                        && slide.guide.link == LinkId::FRAME
+                        && self.rider(index) == Some(point);
+                    let carries = slide.guide.link == link && through == GuidePoint::Point(point);
+                    rides || carries && self.guide_through_its_rider(index).is_some()
+                }
+                _ => false,
+            }
+        };
+        let drawn = self.step.acts.iter().filter(|act| match act {
+            Act::DrawGuide { slide } => leads_there(*slide),
+            _ => false,
+        });
+        drawn.count() == 2
     }
 
     /// Which point of a link is marked, and by which of the link's dimensions.
@@ -1124,17 +1364,33 @@ impl Teller<'_> {
             .skip_while(|other| *other != point)
             .collect();
         let known = |p: PointId| !later.contains(&p);
-        let touching = dimensions(body, n)
+        let mut touching: Vec<StatedLength> = dimensions(body, n)
             .into_iter()
-            .filter(|d| (d.from == point && known(d.to)) || (d.to == point && known(d.from)));
-        let mut told: Vec<Rich> = touching.map(length).collect();
-        if let (true, Form::Shape(_)) = (told.is_empty(), &body.form) {
+            .filter(|d| (d.from == point && known(d.to)) || (d.to == point && known(d.from)))
+            .collect();
+        if let (true, Form::Line(along)) = (touching.is_empty(), &body.form) {
+            // From what stands farther along the line.
+            let place = |p: PointId| body.points.iter().position(|own| *own == p).and_then(|i| along.get(i));
+            let standing = body.points.iter().copied().find(|p| *p != point && known(*p));
+            let apart = standing.and_then(|from| {
+                let length = (place(from)?.value - place(point)?.value).abs();
+                Some(StatedLength { from, to: point, length })
+            });
+            touching.extend(apart);
+        }
+        let mut told: Vec<Rich> = touching.iter().copied().map(length).collect();
+        let extra = body.points.iter().position(|own| *own == point).and_then(|index| body.extra_at(index));
+        if let (Some([along, across]), [first, ..]) = (extra, &body.points[..])
+            && across.value == 0.0
+            && told.is_empty()
+        {
+            told.push(length(StatedLength { from: *first, to: point, length: along.value.abs() }));
+        }
+        if told.is_empty() && (matches!(body.form, Form::Shape(_)) || extra.is_some()) {
             // Two distances lead from what stands to a point that has coordinates of its own.
-            let places = &self.construction.space.places;
-            let place = |p: PointId| places.get(p.0).copied().flatten();
             let standing = body.points.iter().copied().filter(|p| *p != point && known(*p)).take(2);
             let from = |other: PointId| {
-                let (a, b) = (place(other)?, place(point)?);
+                let (a, b) = (self.at(other)?, self.at(point)?);
                 let mm = libm::hypot(a[0] - b[0], a[1] - b[1]);
                 let unit = &n.scene.units.length;
                 let key = Key::length([other, point]);
@@ -1151,6 +1407,8 @@ impl Teller<'_> {
                 )
             };
             told = standing.filter_map(from).collect();
+            // One distance leads to the guide on which the point is.
+            told.extend(self.guide_led_by(point).filter(|_| told.len() == 1));
         }
         if told.is_empty() {
             return Rich::fill(n.words.transfer_point, &[own, number]);
@@ -1160,11 +1418,100 @@ impl Teller<'_> {
             let value = human::degrees(angle.value.abs()).word(n.sense(angle.value));
             told.push(Rich::upright("∠\u{a0}").then(&name).up("\u{a0}=\u{a0}").then(&value));
         }
-        // One distance alone leads to no point: along which line is told by what holds the link.
-        if let (Form::Length(_), [_]) = (&body.form, &told[..]) {
-            told.extend(self.line_of(link));
+        // One distance alone leads to no point: along which line is told by what holds the link, and on which side.
+        if let (Form::Length(_) | Form::Line(_), [only], [d]) = (&body.form, &mut told[..], &touching[..]) {
+            let base = if d.from == point { d.to } else { d.from };
+            if let Some(beyond) = self.beyond(link, base, point, &known) {
+                *only = only.clone().up(n.words.comma).then(&beyond);
+            } else if let Some(slot) = self.slot_beside(link, base, point) {
+                told.push(n.claim(Claim::Parallel(Reference::Guide(slot))));
+            } else if let Some(angle) = self.angle_from_slot(link, base, point) {
+                told.push(angle);
+            } else {
+                told.extend(self.line_of(link));
+            }
         }
         Rich::fill(n.words.transfer_point_lengths, &[own, number, ("lengths", n.list(&told))])
+    }
+
+    /// That a link's own point is on its guide on the frame.
+    fn guide_led_by(&self, point: PointId) -> Option<Rich> {
+        let n = self.notation;
+        let slides = &n.mechanism().slides;
+        let led = (0..slides.len())
+            .find(|index| slides[*index].guide.link == LinkId::FRAME && self.rider(*index) == Some(point))?;
+        Some(Rich::fill(n.words.stated_on, &[("point", n.point(point)), ("line", n.named_guide(led))]))
+    }
+
+    /// That a point of a straight link lies on the other side of the point from which it is laid off than what else stands on
+    /// the link's line: another joint, or the pin in the slot along it.
+    fn beyond(
+        &self,
+        link: LinkId,
+        base: PointId,
+        point: PointId,
+        known: &dyn Fn(PointId) -> bool,
+    ) -> Option<Rich> {
+        let n = self.notation;
+        let mechanism = n.mechanism();
+        let body = mechanism.link(link);
+        let joint = body.points.iter().copied().find(|p| ![base, point].contains(p) && known(*p));
+        let joint = joint.filter(|_| matches!(body.form, Form::Line(_)));
+        let slotted = || {
+            let own = |slide: &Slide| {
+                slide.guide.link == link
+                    && matches!(slide.guide.path, Path::Straight { through: GuidePoint::Point(p), direction: Direction::Toward(to), turned, offset }
+                        if p == base && to == point && turned.value == 0.0 && offset.value == 0.0)
+            };
+            let index = mechanism.slides.iter().position(own)?;
+            self.rider(index).filter(|rider| *rider != base)
+        };
+        let other = joint.or_else(slotted)?;
+        let (from, to, other) = (self.at(base)?, self.at(point)?, self.at(other)?);
+        let along = (to[0] - from[0]) * (other[0] - from[0]) + (to[1] - from[1]) * (other[1] - from[1]);
+        (along < 0.0).then(|| Rich::fill(n.words.beyond, &[("point", n.point(base))]))
+    }
+
+    /// The slot of a link that lies beside the line between two of its points.
+    fn slot_beside(&self, link: LinkId, base: PointId, point: PointId) -> Option<usize> {
+        self.notation.mechanism().slides.iter().position(|slide| {
+            slide.guide.link == link
+                && match slide.guide.path {
+                    Path::Straight {
+                        through: GuidePoint::Point(from),
+                        direction: Direction::Toward(to),
+                        turned,
+                        offset,
+                    } => (from, to, turned.value) == (base, point, 0.0) && offset.value != 0.0,
+                    _ => false,
+                }
+        })
+    }
+
+    /// The angle at the pivot of a slotted link between the pin in its slot and another point, where the slot is not along
+    /// the link's own line.
+    fn angle_from_slot(&self, link: LinkId, base: PointId, point: PointId) -> Option<Rich> {
+        /// As a scene rounds it.
+        const ROUNDED: f64 = 1e-9;
+        let n = self.notation;
+        let oblique = |slide: &Slide| match slide.guide.path {
+            Path::Straight {
+                through: GuidePoint::Point(p),
+                direction: Direction::Angle(angle),
+                turned,
+                offset,
+            } => p == base && offset.value == 0.0 && libm::sin(angle.value + turned.value).abs() > ROUNDED,
+            _ => false,
+        };
+        let slides = &n.mechanism().slides;
+        let index = slides.iter().position(|slide| slide.guide.link == link && oblique(slide))?;
+        let pin = self.rider(index).filter(|pin| ![base, point].contains(pin))?;
+        let (from, to, pin_at) = (self.at(base)?, self.at(point)?, self.at(pin)?);
+        let toward = |p: [f64; 2]| libm::atan2(p[1] - from[1], p[0] - from[0]);
+        let angle = libm::remainder(toward(to) - toward(pin_at), std::f64::consts::TAU);
+        let name = n.point(pin).then(&n.point(base)).then(&n.point(point));
+        let value = human::degrees(angle.abs()).word(n.sense(angle));
+        Some(Rich::upright("∠\u{a0}").then(&name).up("\u{a0}=\u{a0}").then(&value))
     }
 
     /// The direction of a link's own line: that of its input, or the guide along which it slides without turning against it.

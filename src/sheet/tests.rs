@@ -712,7 +712,7 @@ fn steps_name_guides_and_dimensions_and_list_what_was_calculated_before() {
     for line in [
         "Mark O2 and O4 to the scale 1 : 10.",
         "Draw the horizontal guide of D through (0; 37) cm.",
-        "Mark C on link 4: O4C = 30 cm (30.0 mm).",
+        "Mark C on link 4: O4C = 30 cm (30.0 mm), beyond O4.",
         "Produce bo beyond o: oc : ob = 1 gives c.",
         "ω2 = 10 rad/s cw (constant)",
     ] {

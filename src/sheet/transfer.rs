@@ -160,7 +160,8 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
         }
     };
     let mut own = Group::new(class);
-    if let Some((t0, t1)) = clip(from, to, window) {
+    let mut line = |from: Point, to: Point| {
+        let Some((t0, t1)) = clip(from, to, window) else { return };
         let (a, b) = (from.lerp(to, t0), from.lerp(to, t1));
         own.mark(Mark::stroke(Shape::Line(a, b), pen).class("ray").precise());
         // What runs off the sheet ends with an arrow at the border.
@@ -170,6 +171,11 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
         if t0 > 0.0 && b.distance(a) > HEAD {
             own.mark(head(a, (from - to).normalize(), HEAD));
         }
+    };
+    line(from, to);
+    // The line on which the arrows stand whose tips the gauge line joins.
+    if let TransferInk::Gauge { foot, .. } = stroke {
+        line(from, page(*foot));
     }
     overlay.ink.group(own);
 }

@@ -53,13 +53,14 @@ function figures(/** @type {number} */ value, /** @type {number} */ digits, /** 
 function numberParts(/** @type {number} */ value, more = 0) {
   const size = Math.abs(value), short = Number(scientific(value, 2));
   if (Math.abs(short - value) <= 1e-9 * size) return figures(value, 3, true);
-  return figures(value, (size >= 1000 ? 4 : 3) + more, false);
+  return computed(value, (size >= 1000 ? 4 : 3) + more);
 }
 
-/** Whether a number lies half way between two of so many figures. */
-function isHalfWay(/** @type {number} */ value, /** @type {number} */ digits) {
+/** With so many figures: what lies half way between two of three has one more, what does between two of more goes up. @returns {[string, string]} */
+function computed(/** @type {number} */ value, /** @type {number} */ digits) {
   const half = 0.5 * 10 ** (Math.floor(Math.log10(Math.abs(value))) - digits + 1);
-  return Math.abs(Math.abs(value - Number(scientific(value, digits - 1))) - half) <= 1e-6 * half;
+  if (Math.abs(Math.abs(value - Number(scientific(value, digits - 1))) - half) > 1e-6 * half) return figures(value, digits, false);
+  return digits < 4 ? figures(value, digits + 1, false) : figures(value + 0.2 * half * Math.sign(value), digits, false);
 }
 
 /** Whether so short a vector is a point on paper. @param {number} mm */
@@ -67,18 +68,24 @@ function isPoint(mm) {
   return Math.round(10 * mm) < 10;
 }
 
-/** A reading on paper, and what it is by the scale: to tenths of a millimetre, or to hundredths where the product would not be
- * the number that stands for the result without them; where no ruler reads finer that number is what was read.
+/** A reading on paper, and what it is by the scale: to tenths of a millimetre, or to as many of its four figures as it takes for
+ * the product to be the number that stands for the result, if need be a hundredth further off or with a fifth as a guard; where no ruler reads finer that
+ * number is what was read.
  * @param {number} mm @param {number} factor @param {number} result @param {number} wished figures more than usual */
 function readOff(mm, factor, result, wished) {
-  const usual = result >= 1000 ? 4 : 3, more = Math.min(wished, 4 - usual), last = usual + more - 1;
-  const written = Number(scientific(result, last)), half = 0.5 * 10 ** (Math.floor(Math.log10(written)) - last) * (1 + 1e-9);
-  for (let decimals = 1; ; decimals++) {
-    const text = fixed(mm, decimals), amount = Number((Number(text) * factor).toPrecision(12)), agrees = Math.abs(amount - written) <= half;
-    if (!agrees && decimals < (mm < 100 ? 2 : 1)) continue;
-    const isHalf = isHalfWay(amount, last + 1);
-    return [text, isHalf ? raised(figures(amount, last + 2, false)) : withPower(agrees ? result : amount, more)];
+  const usual = result >= 1000 ? 4 : 3, more = Math.min(wished, 4 - usual), digits = usual + more;
+  const written = Number(scientific(result, digits - 1)), half = 0.5 * 10 ** (Math.floor(Math.log10(written)) - digits + 1);
+  const amount = (/** @type {string} */ text) => Number((Number(text) * factor).toPrecision(12));
+  const finest = mm < 10 ? 3 : mm < 100 ? 2 : 1;
+  for (let decimals = 1; decimals <= finest + 1; decimals++) {
+    const near = fixed(mm, decimals), place = 10 ** -decimals, other = Number(near) + (Number(near) > mm ? -place : place);
+    for (const text of decimals > 1 && decimals <= finest ? [near, fixed(other, decimals)] : [near]) {
+      const off = (amount(text) - written) / half;
+      if (off < 1 - 1e-6 && off >= (digits < 4 ? -1 + 1e-6 : -1 - 1e-6)) return [text, withPower(result, more)];
+    }
   }
+  const text = fixed(mm, finest);
+  return [text, raised(computed(amount(text), digits))];
 }
 
 /** An angle in degrees, one decimal at most; one that is stated with up to three has these. @param {number} radians */

@@ -40,7 +40,7 @@ function readings(page) {
     const [over, under] = [factors, divisors].map((all) => all.reduce((/** @type {number} */ product, /** @type {any} */ part) =>
       product * (Array.isArray(part) ? valueOf(numberHere(part)) : part), 1));
     const value = Number((over / under).toPrecision(12)), digits = (value >= 1000 ? 4 : 3) + (page.isOwn ? own : more);
-    return Number.isFinite(value) ? raised(figures(value, digits + (isHalfWay(value, digits) ? 1 : 0), false)) : null;
+    return Number.isFinite(value) ? raised(computed(value, digits)) : null;
   }
 
   /** @param {any} piece @returns {string | null} */
