@@ -530,6 +530,10 @@ impl Teller<'_> {
     /// Whether a rate of zero need not be told: forces of a mechanism at rest, of which nobody asks how it moves.
     fn rests(&self, rates: [f64; 2]) -> bool {
         let mechanism = self.n.mechanism();
+        // A governor that rests only says in which senses it is about to move.
+        if mechanism.forces.spin.is_some_and(|spin| spin.imagined) {
+            return true;
+        }
         let of_motion = |asked: &Asked| {
             !matches!(asked.quantity, Quantity::Force(..) | Quantity::Cycle(_))
                 && asked.quantity.order() >= Order::Velocity
@@ -789,6 +793,9 @@ impl Teller<'_> {
             }
             Input::Speed { angle: at, point, speed, link, alpha } => {
                 parts.extend(at.map(|at| angle(*link, at.value)));
+                if self.rests([1.0, alpha.value]) {
+                    return;
+                }
                 let unit = rate_unit(self.n.unit(Dimension::Velocity));
                 let value = self.constant(self.rate(speed.value, &unit, true), alpha.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Velocity(*point), false), &value));
