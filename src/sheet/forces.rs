@@ -363,8 +363,9 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
         return Some(stated);
     }
     let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
-    let drawn =
-        |panel: &ForcePanel| sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_));
+    let drawn = |panel: &ForcePanel| {
+        sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_))
+    };
     let all: Vec<(f64, ForcePanel)> = bodies
         .chain([ForcePanel::Whole, ForcePanel::Shaking])
         .filter(drawn)

@@ -74,11 +74,10 @@ fn row(own: &MassForces, force: Option<[f64; 2]>, notation: &Notation<'_>, figur
         Some(told) => human::with_unit(&human::number_told(told / unit.si, si / unit.si), &unit.symbol),
         None => human::quantity(si, unit),
     };
-    let size = |force: Force, si: f64, unit: &Unit| {
-        amount(Key::Of(Quantity::Force(force, Share::Total)), si, unit)
-    };
+    let size =
+        |force: Force, si: f64, unit: &Unit| amount(Key::Of(Quantity::Force(force, Share::Total)), si, unit);
     // A force against the acceleration, which has no direction where there is none.
-    let directions = force.map(|[x, y]| [libm::atan2(-y, -x), libm::atan2(y, x)].map(|a| human::degrees(a)));
+    let directions = force.map(|[x, y]| [libm::atan2(-y, -x), libm::atan2(y, x)].map(human::degrees));
     let [of_acceleration, of_force] = directions.unwrap_or_default();
     let inertia_force = force.map_or(0.0, |[x, y]| libm::hypot(x, y));
     let torque = match (own.inertia, own.alpha) {

@@ -60,7 +60,9 @@ fn of_forces(name: &str, scene: &Scene) -> Result<(), String> {
             let is_pin = |name: &str| scene.mechanism.point_named(name).is_some();
             match (&names[..], names.iter().find(|link| !known(link))) {
                 ([name], Some(_)) if is_pin(name) => Ok(()),
-                ([one, other], None) if one == other => Err(format!("figure {name}: link {one} is named twice")),
+                ([one, other], None) if one == other => {
+                    Err(format!("figure {name}: link {one} is named twice"))
+                }
                 ([_] | [_, _], None) => Ok(()),
                 (_, Some(link)) => Err(format!("figure {name}: there is no moving link {link}")),
                 _ => Err(format!("figure {name}: name one link, or two that are cut free together")),
