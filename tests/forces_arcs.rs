@@ -236,3 +236,30 @@ fn figures_of_inertia_and_of_two_links() {
     assert!(!svg.contains("F(3,4)") && !svg.contains("F(4,3)"), "{svg}");
     assert!(draw("polygon(3,9)").is_none());
 }
+
+/// The same on the arc of a lever.
+#[test]
+fn a_block_on_the_arc_of_a_lever_is_held_as_a_link_about_its_centre() {
+    for circle in [0.0, 3.0] {
+        let mut scene = json!({
+            "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [0, -200] },
+            "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "4": { "joins": ["O4", "D"], "length": 300 } },
+            "slides": [ { "pin": "A", "block": 3, "on": { "link": 4, "centre": [100, 150], "radius": 180 } } ],
+            "near": { "D": [60, 90] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s" },
+            "pins": { "A": { "circle": circle } },
+            "masses": { "3": { "mass": 1, "inertia": 0.004 }, "4": { "mass": 4, "at": [150, 0], "inertia": 0.05 } },
+            "loads": [ { "on": 4, "at": "D", "force": "100 N", "direction": 20 }, { "on": 3, "torque": "4 N*m" } ],
+            "find": ["T(2)", "F(3,4)", "F(2,3)", "F(1,4)"]
+        });
+        let by_arc = answers(&scene);
+        let shape = json!({ "O4": [0, 0], "D": [300, 0], "C": [100, 150] });
+        scene.as_object_mut().unwrap().remove("slides");
+        scene["links"]["3"] = json!({ "joins": ["C", "A"], "length": 180 });
+        scene["links"]["4"] = json!({ "joins": ["O4", "D", "C"], "shape": shape });
+        scene["masses"]["3"]["at"] = json!("A");
+        let by_link = answers(&scene);
+        for (name, answer) in &by_link {
+            close(parts(&by_arc[name]), parts(answer), 1e-7, name);
+        }
+    }
+}
