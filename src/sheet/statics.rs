@@ -658,7 +658,8 @@ impl Teller<'_> {
         let g = self.n.mechanism().forces.gravity.g.value;
         let a = self.acceleration();
         let name = |letter: &str| Rich::italic(letter).sub(&self.n.number(link));
-        let factors = [Factor::new(weight, &units.force, "N"), Factor::new(g, &a, "m/s²")];
+        let weight = Factor::new(weight, &units.force, "N").of(Key::OfLink("W", link));
+        let factors = [weight, Factor::new(g, &a, "m/s²")];
         let result = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", link));
         let formula = name("W").up(OVER).it("g");
         self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result)
