@@ -1,7 +1,8 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
-use crate::graphical::construction::Construction;
+use crate::graphical::construction::{Construction, Stiffness};
 use crate::graphical::{DrawError, Missing, Unplaced};
+use crate::mechanism::force::SpringKind;
 use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
@@ -54,6 +55,17 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         ),
     };
     scene.source.complain(subject, what, Some(mend))
+}
+
+/// The spring of a stiffness that was sought, the unit in which that is told, and this unit in SI.
+#[must_use]
+pub fn stiffness(of: &Stiffness, scene: &Scene) -> (String, String, f64) {
+    let spring = &scene.mechanism.forces.springs[of.spring];
+    let unit = &scene.units.stiffness;
+    match spring.kind {
+        SpringKind::Pull(_) => (spring.name.clone(), unit.symbol.clone(), unit.si),
+        SpringKind::Torsion(_) => (spring.name.clone(), "N*m/rad".to_owned(), 1.0),
+    }
 }
 
 /// The rough places of `near` that do not hold, though they have chosen what they could: a rod does not reach to the other

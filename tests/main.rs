@@ -26,6 +26,7 @@ mod extremes;
 mod fair_examiner;
 mod force_sheets;
 mod forces;
+mod forces_arcs;
 mod forces_classroom;
 mod forces_cycle;
 mod forces_loads;

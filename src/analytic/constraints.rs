@@ -246,7 +246,8 @@ pub(super) trait Formulas {
                 }
             }
             Row::Around(body, rider, guide, against) => {
-                let from = quarter(minus(self.site(rider), self.site(&guide.centre)));
+                // The own x-axis of what rides on an arc is the radius, outward.
+                let from = minus(self.site(rider), self.site(&guide.centre));
                 let turn = self.angle(*body) - from[1].atan2(from[0]);
                 match against {
                     Some(angle) => (turn - self.num(*angle)).wrapped(),

@@ -108,7 +108,7 @@ impl State {
             return undefined("forces were not solved");
         };
         let mechanism = &self.model.mechanism;
-        let drags = mechanism.forces.spin.filter(|spin| spin.drag.is_some());
+        let drags = mechanism.forces.spin.filter(|spin| spin.drag.is_some() || spin.imagined);
         if drags.is_some_and(|spin| spin.sense(share, mechanism).is_none()) {
             return undefined("the sleeve rests, and its drag has no sense");
         }

@@ -7,7 +7,7 @@
 //! forces is tried, to see whether another balance exists.
 
 use super::AnalyticError;
-use super::constraints::{Drive, Formulas, Num, Row, Site};
+use super::constraints::{Drive, Formulas, Num, Row, Site, Straight};
 use super::linear::System;
 use super::model::{Model, Tie, Track};
 use super::ordering::{Ordering, order};
@@ -67,6 +67,13 @@ pub(super) struct Rubbing {
     /// The joint through which its forces pass.
     pub(super) tie: Tie,
     place: Place,
+}
+
+/// How far a rider has slid along a straight guide, in any numbers.
+pub(super) fn slid<S: Formulas>(scope: &S, rider: Site, line: Straight) -> S::Number {
+    let zero = Num::Exact(0.0);
+    let drive = Drive { value: zero, rate: zero, arm: None, second: zero };
+    scope.row(&Row::Push(rider, line, drive))
 }
 
 /// Senses and strength of friction in one balance.
@@ -139,11 +146,7 @@ impl Rubbing {
     pub(super) fn moved<S: Formulas>(&self, scope: &S) -> S::Number {
         match &self.place {
             Place::Pin { carrier, link, .. } => scope.angle(*link) - scope.angle(*carrier),
-            Place::Slide { rider, track: Track::Line(line), .. } => {
-                let zero = Num::Exact(0.0);
-                let drive = Drive { value: zero, rate: zero, arm: None, second: zero };
-                scope.row(&Row::Push(*rider, *line, drive))
-            }
+            Place::Slide { rider, track: Track::Line(line), .. } => slid(scope, *rider, *line),
             Place::Slide { rider, track: Track::Arc(arc), .. } => {
                 let from = minus(scope.site(rider), scope.site(&arc.centre));
                 let turned = from[1].atan2(from[0]) - scope.angle(arc.centre.body);

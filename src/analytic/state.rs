@@ -182,6 +182,20 @@ impl State {
         }
     }
 
+    /// Whether the sleeve of a governor moves as it is about to, +1, or against that, −1; +1 of whatever moves itself.
+    fn sense_of_sleeve(&self, balancing: &Balancing<'_>) -> f64 {
+        let wanted = match balancing.share() {
+            Share::Rising => 1.0,
+            Share::Falling => -1.0,
+            Share::Total | Share::Static | Share::Inertia => return 1.0,
+        };
+        let Some((site, line)) = balancing.burden.sleeve else { return 1.0 };
+        match self.read(1, self.solved.as_ref(), |s| [friction::slid(s, site, line).d]) {
+            Ok([rate]) if rate.value.abs() > rate.bound => wanted * rate.value.signum(),
+            _ => 0.0,
+        }
+    }
+
     /// The pairs that rub and do not move, each with its bodies.
     fn at_rest(&self) -> Vec<([usize; 2], RubbingPair)> {
         let rubbing = self.burden.iter().flat_map(|burden| &burden.rubbing);
@@ -192,7 +206,8 @@ impl State {
     /// A balance with friction, and why it leaves nothing where it does.
     fn rubbed(&self, balancing: &Balancing<'_>) -> Result<(Balance, Option<Indeterminate>), AnalyticError> {
         let why = |how: Stuck, why: String| Some(Indeterminate::Rubbing { how, why });
-        let senses = balancing.burden.rubbing.iter().map(|rubbing| self.sense(rubbing)).collect();
+        let round = self.sense_of_sleeve(balancing);
+        let senses = balancing.burden.rubbing.iter().map(|rubbing| round * self.sense(rubbing)).collect();
         let at_rest = self.at_rest().into_iter().next();
         let (found, mut balance) = friction::balance(balancing, senses)?;
         if let Some((_, pair)) = at_rest {

@@ -42,6 +42,8 @@ pub(super) struct Burden {
     pub(super) springs: Vec<BodySpring>,
     /// The axis of a governor.
     spin: Option<BodySpin>,
+    /// The sleeve of a governor on its guide, where something rubs: its sliding says in which senses.
+    pub(super) sleeve: Option<(Site, Straight)>,
     /// The equations of the pairs, without those of inputs.
     pub(super) pairs: Vec<(Row, Tie)>,
     /// Of which pair equations teeth lean, by their place among the pairs.
@@ -644,7 +646,7 @@ impl<'t> Acting<'t> {
     }
 
     pub(super) fn inertial_too(&self) -> bool {
-        self.share != Share::Static && self.moves
+        self.share != Share::Static && self.moves && !self.model.mechanism.rests_in_its_plane()
     }
 
     /// The balance on one coordinate, with the terms that hang on each unknown.
@@ -932,6 +934,13 @@ impl Burden {
                 drag,
             });
         }
+        if let Some(slide) = mechanism.sleeve_slide().filter(|_| !forces.friction.is_empty()) {
+            let pair = mechanism.slides[slide];
+            let site = model.rider_site(&pair.rider, pair.guide.link)?;
+            if let Some(Track::Line(line)) = model.track(slide) {
+                burden.sleeve = Some((site, *line));
+            }
+        }
         burden.pairs = model.pair_rows()?;
         burden.mesh(model)?;
         burden.rubbing = Rubbing::all(model, &burden.pairs)?;
@@ -1130,6 +1139,11 @@ pub(super) struct Balancing<'a> {
 }
 
 impl<'a> Balancing<'a> {
+    /// Of what acts.
+    pub(super) const fn share(&self) -> Share {
+        self.share
+    }
+
     pub(super) fn new(
         model: &'a Model,
         burden: &'a Burden,

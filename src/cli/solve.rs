@@ -59,7 +59,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         serde_json::to_string_pretty(&object).map_err(|error| Failure(error.to_string()))? + "\n"
     } else {
-        table(&solved, &agreement, &by_hand, &scene.units) + explanation.as_deref().unwrap_or("")
+        table(&solved, &agreement, &by_hand, scene) + explanation.as_deref().unwrap_or("")
     };
     print(&text)?;
     for note in crate::report::unheld_hints(scene, &solved.solution.construction) {
@@ -78,8 +78,9 @@ fn table(
     solved: &crate::solve::Solved,
     agreement: &Agreement,
     by_hand: &[HandError],
-    units: &Units,
+    scene: &Scene,
 ) -> String {
+    let units = &scene.units;
     let lines = |digits: usize| -> Vec<[String; 5]> {
         let head = ["quantity", "value", "direction", "other solver", "off/bound"].map(str::to_owned);
         let rows = agreement.compared.iter().map(|compared| cells(compared, digits));
@@ -141,6 +142,14 @@ fn table(
         }
         if let Some(error) = by_hand.get(at) {
             out.push_str(&wrapped(&hand_words(asked, &compared.graphical.answer, error)));
+        }
+    }
+    if let Some(sheet) = &solved.solution.construction.forces {
+        for of in &sheet.stiffnesses {
+            let (name, unit, si) = crate::report::stiffness(of, scene);
+            let negative = if of.value < 0.0 { ": below zero, as no spring has it" } else { "" };
+            let value = significant(of.value / si, 7);
+            let _ = writeln!(out, "\nstiffness of {name}: {value} {unit}{negative}");
         }
     }
     let _ = writeln!(out, "\n{}", verdict(agreement));
@@ -290,6 +299,14 @@ fn object(
     if let (Some(sheet), Some(map)) = (sheet, object.as_object_mut()) {
         let rubs = sheet.rubs.iter().map(|touch| friction(&touch.rub, scene, sheet.passes));
         map.insert("friction".to_owned(), rubs.collect());
+    }
+    let sheet = solved.solution.construction.forces.as_ref().filter(|sheet| !sheet.stiffnesses.is_empty());
+    if let (Some(sheet), Some(map)) = (sheet, object.as_object_mut()) {
+        let told = sheet.stiffnesses.iter().map(|of| {
+            let (name, unit, si) = crate::report::stiffness(of, scene);
+            json!({ "spring": name, "stiffness": of.value / si, "unit": unit })
+        });
+        map.insert("stiffness".to_owned(), told.collect());
     }
     if let (Some(power), Some(map)) = (&agreement.power, object.as_object_mut()) {
         let unit = &scene.units.power;

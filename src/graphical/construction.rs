@@ -108,6 +108,19 @@ pub struct ForceSheet {
     pub sizes: Vec<LoadSize>,
     /// How torsion springs stand.
     pub twists: Vec<SpringTwist>,
+    /// Stiffnesses that were sought.
+    pub stiffnesses: Vec<Stiffness>,
+}
+
+/// The stiffness of a spring, found from the balance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffness {
+    /// Which, by its index.
+    pub spring: usize,
+    /// N/m, or N·m for a radian. No spring has one below zero.
+    pub value: f64,
+    /// How much longer the spring is than without load, metres; how much further turned, radians.
+    pub longer: f64,
 }
 
 /// The size of a load as it is read from its curve.

@@ -821,6 +821,10 @@ impl Draughtsman<'_> {
                 _ => "velocity image of a further point",
             });
             let lead = kind.lead(self.mechanism, link);
+            if self.mechanism.arc_of_block(link).is_some() {
+                // How a block turns on its arc follows from how it slides, which stands by now.
+                self.rates_of_blocks(order, &[link]);
+            }
             let known = match lead {
                 Some(Lead::Turning(base)) => vec![base],
                 Some(Lead::Image(base, pin)) => vec![base, pin],

@@ -111,6 +111,15 @@ impl Draughtsman<'_> {
             let own_along = if single { self.board.rightward() } else { self.own_line_of(link) };
             return Some((own_along, along));
         }
+        if let Some((slide, pin)) = self.mechanism.arc_of_block(link) {
+            // The own x-axis of a block on an arc is the radius, outward.
+            let at = self.places[pin.0].or_else(|| self.given_place(pin))?;
+            let Track::Arc(circle) = self.track(slide, None) else { return None };
+            let reason = self.reason(&[link]);
+            let own_along = self.board.rightward();
+            let (along, _) = self.board.toward(circle.centre, at, reason);
+            return Some((own_along, along));
+        }
         for (ride, other) in self.rides_of(link) {
             if self.stands_in_world(other) || self.pose_by_places(other, deep - 1).is_some() {
                 return Some(self.ride_directions(ride, link));

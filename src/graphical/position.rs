@@ -167,6 +167,14 @@ impl Draughtsman<'_> {
                 return Err(DrawError::NoConstruction { links: group.links.clone() });
             }
         }
+        // A block on an arc turns with the radius, and carries what points it has along.
+        let mut blocks: Vec<LinkId> = step.points.iter().map(|(link, _)| *link).collect();
+        blocks.dedup();
+        for block in blocks {
+            if self.mechanism.arc_of_block(block).is_some() && self.pose_of(block).is_some() {
+                self.transfer_by_pose(step, block);
+            }
+        }
         Ok(())
     }
 

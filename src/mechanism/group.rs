@@ -631,6 +631,10 @@ impl GroupKind {
     /// From what the images of the further points of one of its links are found.
     #[must_use]
     pub fn lead(self, mechanism: &Mechanism, link: LinkId) -> Option<Lead> {
+        // A block turns with the radius of its arc.
+        if let Some((_, pin)) = mechanism.arc_of_block(link) {
+            return Some(Lead::Turning(pin));
+        }
         let own = match self {
             Self::Rpp { lever, base, .. } if link == lever => Some(Lead::Turning(base)),
             Self::Rpr { lever, pin, .. } if link != lever => Some(Lead::Turning(pin)),

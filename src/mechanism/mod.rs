@@ -408,6 +408,17 @@ impl Link {
 }
 
 impl Mechanism {
+    /// The sliding pair of a block that rides on an arc, with its pin.
+    #[must_use]
+    pub fn arc_of_block(&self, link: LinkId) -> Option<(usize, PointId)> {
+        self.slides.iter().enumerate().find_map(|(slide, pair)| match (pair.rider, pair.guide.path) {
+            (Rider::Pin { point, block: Some(block) }, Path::Arc { .. }) if block == link => {
+                Some((slide, point))
+            }
+            _ => None,
+        })
+    }
+
     /// The link with this index.
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {

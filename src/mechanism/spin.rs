@@ -1,6 +1,6 @@
 //! Governors: a plane that turns about an axis in it, with all that stands in the plane.
 
-use super::force::{Action, Share, SpringKind};
+use super::force::{Action, Party, Share, SpringKind};
 use super::{Given, GivenPoint, Input, LinkId, Mechanism};
 
 /// The whole plane turns about an axis in it. Every mass is a point at its mass centre and is driven away from the axis
@@ -19,6 +19,9 @@ pub struct Spin {
     pub sleeve: Option<LinkId>,
     /// A constant force against the sliding of the sleeve.
     pub drag: Option<Drag>,
+    /// The inputs rest, and one of them moves at a unit rate only in order to say in which senses pairs rub once the sleeve is
+    /// about to move.
+    pub imagined: bool,
 }
 
 /// A speed of the plane.
@@ -48,6 +51,9 @@ impl Spin {
             Share::Falling => return Some(-1.0),
             Share::Total | Share::Static | Share::Inertia => {}
         }
+        if self.imagined {
+            return None;
+        }
         let of_sleeve = |slide: usize| self.drag.is_some_and(|drag| drag.slide == slide);
         mechanism.inputs.iter().find_map(|input| match input {
             Input::Slide { slide, velocity, .. } if of_sleeve(*slide) && velocity.value != 0.0 => {
@@ -73,7 +79,18 @@ impl Mechanism {
             Input::Speed { speed, alpha, .. } => speed.value == 0.0 && alpha.value == 0.0,
             Input::Slide { velocity, acceleration, .. } => velocity.value == 0.0 && acceleration.value == 0.0,
         };
-        self.forces.spin.is_some() && self.inputs.iter().all(rests)
+        self.forces.spin.is_some_and(|spin| spin.imagined || self.inputs.iter().all(rests))
+    }
+
+    /// The sliding pair in which the sleeve of a governor rides on the frame.
+    #[must_use]
+    pub fn sleeve_slide(&self) -> Option<usize> {
+        let sleeve = self.forces.spin?.sleeve?;
+        let of_sleeve = |pair: &super::Slide| {
+            pair.guide.link == LinkId::FRAME && self.party_of(&pair.rider) == Party::Link(sleeve)
+        };
+        let straight = |pair: &super::Slide| matches!(pair.guide.path, super::Path::Straight { .. });
+        self.slides.iter().position(|pair| of_sleeve(pair) && straight(pair))
     }
 
     /// How many equal halves share what acts on a link: more than one only of the sleeve of a governor.

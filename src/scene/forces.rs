@@ -17,38 +17,6 @@ use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId};
 /// What is written where a number is to be found.
 const SOUGHT: &str = "?";
 
-/// A key whose meaning is fixed, and of which this version makes nothing yet.
-fn undone(entry: &Entry<'_>, what: &str) -> Fault {
-    Fault::new(entry.at, format!("`{}`: this version does not do {what} yet", entry.key))
-        .mend(format!("leave `{}` out", entry.key))
-}
-
-/// Refuses what is not built yet, so that no answer leaves it out unsaid.
-pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
-    let inside = |list: Option<&Value<'_>>, wanted: &[(&str, &str)]| -> Res<()> {
-        let items: Vec<&Value<'_>> = match list.map(|list| (&list.kind, list)) {
-            Some((Kind::List(items), _)) => items.iter().collect(),
-            Some((Kind::Object(entries), _)) => entries.iter().map(|entry| &entry.value).collect(),
-            _ => Vec::new(),
-        };
-        for item in items {
-            let Kind::Object(entries) = &item.kind else { continue };
-            for (key, what) in wanted {
-                if let Some(entry) = entries.iter().find(|entry| entry.key == *key) {
-                    return Err(undone(entry, what));
-                }
-            }
-        }
-        Ok(())
-    };
-    if scene.entry("spin").is_some() {
-        let rubs = [("f", "friction in a governor"), ("circle", "friction in a governor")];
-        inside(scene.get("slides"), &rubs)?;
-        inside(scene.get("pins"), &rubs)?;
-    }
-    Ok(())
-}
-
 /// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
 pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     draft.loads_count_turns = has_curves(scene);
@@ -99,16 +67,21 @@ fn has_curves(scene: &Fields<'_, '_>) -> bool {
     loads.iter().any(is_curve)
 }
 
-/// The blocks of `slides`, each of one sliding pair.
+/// The blocks of `slides` that slide along straight guides, each of one sliding pair.
 fn blocks(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
     let Some(Kind::List(slides)) = scene.get("slides").map(|slides| &slides.kind) else { return Vec::new() };
+    let on_arc = |fields: &Fields<'_, '_>| match fields.get("on").map(|on| &on.kind) {
+        Some(Kind::Object(entries)) => entries.iter().any(|entry| entry.key == "centre"),
+        _ => false,
+    };
     let number = |item: &Value<'_>| {
         let fields = Fields::of(item, keys::SLIDE, "a sliding pair").ok()?;
-        fields.get("block").and_then(|block| draft.link_at(block).ok())
+        let block = fields.get("block").and_then(|block| draft.link_at(block).ok())?;
+        Some((block, on_arc(&fields)))
     };
-    let all: Vec<LinkId> = slides.iter().filter_map(number).collect();
-    let once = |link: &LinkId| all.iter().filter(|other| *other == link).count() == 1;
-    all.iter().copied().filter(once).collect()
+    let all: Vec<(LinkId, bool)> = slides.iter().filter_map(number).collect();
+    let once = |link: LinkId| all.iter().filter(|(other, _)| *other == link).count() == 1;
+    all.iter().filter(|(link, arc)| once(*link) && !arc).map(|(link, _)| *link).collect()
 }
 
 /// The links that slide themselves, or carry the guide of a driven slide: in which directions their own
@@ -191,7 +164,7 @@ fn spot(
         if blocks.contains(&link) {
             draft.wide_blocks.push(link);
         }
-        // Any other stands as a link of one joint does: by its input, or by the rider towards which it swivels.
+        // Any other link of one joint has its own axes by its input, by the rider of its guide, or as the world's.
         if blocks.contains(&link) || sliding.contains(&link) {
             draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
         }
@@ -216,6 +189,11 @@ fn spot(
     }
     draft.spots.insert(value.at, point);
     Ok(())
+}
+
+/// Whether a link has no joint but its first, whatever points it has by own coordinates besides.
+fn has_one_joint(link: LinkId, draft: &Draft<'_>) -> bool {
+    draft.link(link).form == Form::Single || draft.wide_blocks.contains(&link)
 }
 
 /// A point of a link, by name or by own coordinates.
@@ -337,7 +315,7 @@ fn mass(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<Mass> {
     let centre = match (fields.get("at"), &points[..]) {
         (Some(at), _) => place(at, link, draft)?,
         (None, [only]) => *only,
-        (None, [pin, ..]) if draft.wide_blocks.contains(&link) => *pin,
+        (None, [pin, ..]) if has_one_joint(link, draft) => *pin,
         // A flywheel turns about whatever point it likes.
         (None, [first, ..]) if heaviness == Heaviness::None => *first,
         _ => {
@@ -488,7 +466,7 @@ fn load(
         Some(at) => place(at, link, draft)?,
         None => match draft.link(link).points[..] {
             [only] => only,
-            [pin, ..] if draft.wide_blocks.contains(&link) => pin,
+            [pin, ..] if has_one_joint(link, draft) => pin,
             _ => {
                 return Err(Fault::new(
                     fields.at,

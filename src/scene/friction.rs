@@ -4,7 +4,9 @@ use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
+use super::spin;
 use super::units::Measure;
+use crate::mechanism::force::Party;
 use crate::mechanism::friction::{FrictionCircle, Resistance, Roughness, RubbingPin, RubbingSlide};
 use crate::mechanism::{Given, Input};
 
@@ -22,9 +24,18 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         for (index, item) in slides.list("a list of sliding pairs")?.iter().enumerate() {
             let fields = Fields::of(item, keys::SLIDE, "a sliding pair")?;
             let roughness = fields.get("f").map(|f| roughness(f, draft)).transpose()?.flatten();
-            // In a governor it is that of the sleeve, and read with it.
-            let drag = fields.get("drag").filter(|_| scene.entry("spin").is_none());
+            if let (Some(_), Some(f)) = (roughness, fields.entry("f")) {
+                not_between_halves(index, f.at, draft)?;
+            }
+            // In a governor that rests it is that of the sleeve, and read with it; a half that is drawn has its part.
+            let governs = scene.entry("spin").is_some();
+            let drag = fields.get("drag").filter(|_| !governs || spin::moves_otherwise(index, draft));
             let drag = drag.map(|drag| drag_of(drag, draft)).transpose()?.flatten();
+            let halves = draft.mechanism.forces.spin.map_or(1.0, |spin| f64::from(spin.balls));
+            let drag = drag.map(|drag| match halves == 1.0 {
+                true => drag,
+                false => Given::read(drag.value / halves).with_room((drag.error + drag.low.abs()) / halves),
+            });
             let resistance = match (roughness, drag) {
                 (Some(roughness), Some(drag)) => Resistance::Both(roughness, drag),
                 (Some(roughness), None) => Resistance::Friction(roughness),
@@ -43,10 +54,55 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         Input::Slide { velocity, .. } => velocity.value == 0.0,
     };
     if draft.mechanism.inputs.iter().all(at_rest) {
+        if draft.mechanism.forces.spin.is_some() {
+            return imagine_a_motion(scene, draft);
+        }
         let at = scene.entry("input").or(scene.entry("inputs")).map_or(0, |entry| entry.at);
         return Err(Fault::new(at, "friction is against a motion, and no input moves").mend(
             "give the input an `omega` (or `velocity`) of any size: it says in which sense everything moves",
         ));
+    }
+    Ok(())
+}
+
+/// A governor that rests in its plane is about to move: an input that moves at a unit rate says in which senses, and nothing
+/// else.
+fn imagine_a_motion(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    let unit = Given::exact(1.0);
+    if let Some(input) = draft.mechanism.inputs.first_mut() {
+        match input {
+            Input::Angle { omega, .. } => *omega = unit,
+            Input::Speed { speed, .. } => *speed = unit,
+            Input::Slide { velocity, .. } => *velocity = unit,
+        }
+    }
+    let sleeve = draft.mechanism.sleeve_slide();
+    let Some(spin) = &mut draft.mechanism.forces.spin else { return Ok(()) };
+    spin.imagined = true;
+    if sleeve.is_none() {
+        let at = scene.entry("spin").map_or(0, |entry| entry.at);
+        let what =
+            "friction is against a motion, and no sleeve says which way this governor is about to move";
+        return Err(Fault::new(at, what).mend(
+            "name the link that slides on the frame as `sleeve`, or give the input a rate of any size",
+        ));
+    }
+    Ok(())
+}
+
+/// What presses a sleeve against its guide is not told by one of several halves: they hold each other.
+fn not_between_halves(slide: usize, at: usize, draft: &Draft<'_>) -> Res<()> {
+    let m = &draft.mechanism;
+    let shared = |party: Party| match party {
+        Party::Link(link) => m.shared_by(link) != 1.0,
+        Party::Pin(_) => false,
+    };
+    let pair = &m.slides[slide];
+    if shared(m.party_of(&pair.rider)) || shared(Party::Link(pair.guide.link)) {
+        let what = "the halves of a governor hold their sleeve in balance across its guide: nothing presses it there";
+        return Err(
+            Fault::new(at, what).mend("give its resistance as `drag`, or draw the whole with \"balls\": 1")
+        );
     }
     Ok(())
 }

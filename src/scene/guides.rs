@@ -63,16 +63,6 @@ fn slide(item: &Value<'_>, draft: &Draft<'_>) -> Res<Slide> {
         };
         return Err(Fault::new(on.at, what).mend("the guide must belong to another link"));
     }
-    if let Rider::Link { link, .. } = rider
-        && draft.wide_blocks.contains(&link)
-        && !is_straight(&guide)
-    {
-        let what = format!(
-            "this version does not do own coordinates of {}, which slides on an arc",
-            draft.say(link)
-        );
-        return Err(Fault::new(on.at, what).mend("name its pin"));
-    }
     if matches!(rider, Rider::Link { .. }) && !is_straight(&guide) {
         return Err(Fault::new(on.at, "a link slides without turning, so its guide must be straight")
             .mend("for an arc let a `pin` slide, or pin the link at the arc's centre"));
@@ -88,7 +78,9 @@ fn pin_rider(pin: &Value<'_>, block: Option<&Value<'_>>, draft: &Draft<'_>) -> R
     if draft.wide_blocks.contains(&block) && draft.link(block).points.first() == Some(&point) {
         return Ok(Rider::Link { link: block, turned: Some(Given::exact(0.0)) });
     }
-    if draft.link(block).points.as_slice() != [point] {
+    let own = draft.link(block);
+    // Points that a mass or a load has by own coordinates are no joints.
+    if own.points.first() != Some(&point) || own.points.len() != 1 + own.extra.len() {
         let what = format!("block {} has joints other than {name}", draft.link(block).number);
         return Err(Fault::new(value.at, what).mend(format!(
             "a block has its pin as its only joint; a larger link slides as \"link\": {}",

@@ -114,7 +114,6 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let title = sheet::title(fields.get("title"))?;
     let scales = units::Scales::read(fields.get("units"), None)?;
     let mut draft = Draft::new(&scales, root.at);
-    forces::not_yet(&fields)?;
     links::read(&fields, &mut draft)?;
     forces::spots(&fields, &mut draft)?;
     let diagram_alone = cycle::is_alone(&fields, &draft);
@@ -135,6 +134,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     cycle::read(&fields, &mut draft)?;
     twice::settle(&mut draft)?;
     asked::read(fields.get("find"), &mut draft)?;
+    spin::refuse_rates(fields.get("find"), &draft)?;
     let published = published::read(fields.get("published"), &mut draft)?;
     let errata = published::errata(fields.get("errata"), &published)?;
     let expect = published::expect(fields.get("expect"))?;

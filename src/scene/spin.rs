@@ -6,8 +6,9 @@ use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::Measure;
 use crate::mechanism::force::Party;
+use crate::mechanism::quantity::Order;
 use crate::mechanism::spin::{Drag, Spin, SpinSpeed};
-use crate::mechanism::{Given, LinkId};
+use crate::mechanism::{Given, Input, LinkId};
 
 /// No governor has more balls.
 const MOST_BALLS: u32 = 100;
@@ -55,8 +56,24 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         );
     }
     let drag = drag(scene, sleeve, draft)?;
-    draft.mechanism.forces.spin = Some(Spin { through, angle, omega, balls, sleeve, drag });
+    draft.mechanism.forces.spin = Some(Spin { through, angle, omega, balls, sleeve, drag, imagined: false });
     Ok(())
+}
+
+/// Refuses questions about a motion that is only imagined, for the senses of friction.
+pub(super) fn refuse_rates(find: Option<&Value<'_>>, draft: &Draft<'_>) -> Res<()> {
+    let m = &draft.mechanism;
+    if !m.forces.spin.is_some_and(|spin| spin.imagined) {
+        return Ok(());
+    }
+    let moves = |asked: &&crate::mechanism::quantity::Asked| asked.quantity.order() != Order::Position;
+    match (m.asked.iter().find(moves), find) {
+        (Some(asked), Some(find)) => {
+            let what = format!("`{}`: this governor rests in its own plane", asked.name);
+            Err(Fault::new(find.at, what).mend("give the input a rate, or ask for speeds and forces only"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The `drag` of the pair in which the sleeve rides.
@@ -79,9 +96,25 @@ fn drag(scene: &Fields<'_, '_>, sleeve: Option<LinkId>, draft: &Draft<'_>) -> Re
             return Err(Fault::new(entry.at, "a sleeve slides on a straight guide"));
         }
         let size: Given = positive(&entry.value, draft)?;
+        if moves_otherwise(slide, draft) {
+            // The motion itself says in which sense the sleeve slides: the drag is read with what rubs.
+            continue;
+        }
         found = Some(Drag { slide, size });
     }
     Ok(found)
+}
+
+/// Whether inputs move, and none of them is the sleeve in this pair.
+pub(super) fn moves_otherwise(slide: usize, draft: &Draft<'_>) -> bool {
+    let rests = |input: &Input| match input {
+        Input::Angle { omega, .. } => omega.value == 0.0,
+        Input::Speed { speed, .. } => speed.value == 0.0,
+        Input::Slide { velocity, .. } => velocity.value == 0.0,
+    };
+    let is_sleeve = |input: &Input| matches!(input, Input::Slide { slide: own, .. } if *own == slide);
+    let inputs = &draft.mechanism.inputs;
+    !inputs.iter().all(rests) && !inputs.iter().any(is_sleeve)
 }
 
 fn positive(value: &Value<'_>, draft: &Draft<'_>) -> Res<Given> {

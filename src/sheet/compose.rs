@@ -15,7 +15,7 @@ use super::speeds::with_speeds_read;
 use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{auxiliary, given, growth, human, positions, results, skeleton, transfer, wanted};
+use super::{auxiliary, given, growth, human, inertia, positions, results, skeleton, transfer, wanted};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{Act, Construction};
 use crate::mechanism::PointId;
@@ -83,6 +83,7 @@ pub const fn figure_names() -> &'static [&'static str] {
         "steps",
         "forces",
         "loads",
+        "inertia",
         "bodies",
         "body",
         "polygons",
@@ -713,12 +714,19 @@ pub fn single_after(
             let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
             (block(Panel::Cycle(panel))?, words.turning_moment_figure)
         }
+        "inertia" => {
+            let (_, figures) = steps::items_in_figures(construction, &notation);
+            let table = inertia::table(construction, &notation, &figures, TEXT)?;
+            (table.draw("inertia", 0, table.rows.len()), words.inertia_figure)
+        }
         name if wanted::is_of_forces(name) => {
             let sheet = construction.forces.as_ref()?;
             let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+            let two = ForcePanel::of_two(&name, sheet, &notation);
             let figures: Vec<Figure> = ForcePanel::all(sheet)
                 .into_iter()
                 .filter(|panel| panel.belongs_to(&name, sheet, &notation))
+                .chain(two)
                 .enumerate()
                 .filter_map(|(i, panel)| block_at(before + i, Panel::Force(panel)))
                 .map(|block| tight(scene, block, words.loads_figure, words))

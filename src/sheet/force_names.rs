@@ -32,6 +32,11 @@ pub(super) fn laid_off(notation: &Notation<'_>, action: Action) -> Rich {
     if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
 }
 
+/// What is of inertia, of whatever link: Fⁱⁿ, Tⁱⁿ.
+pub(super) fn of_inertia(letter: &str) -> Rich {
+    Rich::italic(letter).scripts(INERTIA, Face::Upright, "")
+}
+
 /// The symbol of a part of a force.
 pub(super) fn part(notation: &Notation<'_>, action: Action, mark: &str) -> Rich {
     let of = match action {

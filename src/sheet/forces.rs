@@ -1,6 +1,8 @@
 //! Free bodies and force polygons as ink: every link cut free with what acts on it, and beside it the polygon of its
 //! forces, laid off from the pole.
 
+use std::borrow::Cow;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone};
@@ -53,6 +55,8 @@ pub enum ForcePanel {
     Together(usize),
     /// The polygon of a free body.
     Polygon(usize),
+    /// The polygon of two links that are cut free together; of no sheet, unless it is asked for.
+    PolygonOf([LinkId; 2]),
     /// Everything from outside.
     Whole,
     /// The inertia forces and their sum.
@@ -129,11 +133,27 @@ impl ForcePanel {
                 name == "friction" || point.is_some_and(|point| name == format!("friction({point})"))
             }
             (Self::Body(index), name) => link(index).is_some_and(|link| name == format!("body({link})")),
+            (Self::Together(index), name) => sheet.moments.get(index).is_some_and(|moments| {
+                let numbers: Vec<String> = moments.links.iter().map(|link| notation.number(*link)).collect();
+                let named = figure_links(name, "body");
+                named.len() == numbers.len() && numbers.iter().all(|number| named.contains(&number.as_str()))
+            }),
             (Self::Polygon(index), name) => {
                 link(index).is_some_and(|link| name == format!("polygon({link})"))
             }
             _ => false,
         }
+    }
+
+    /// The polygon that is asked for by two links; none where a figure names no two links with free bodies of their own.
+    #[must_use]
+    pub fn of_two(name: &str, sheet: &ForceSheet, notation: &Notation<'_>) -> Option<Self> {
+        let [one, other] = figure_links(name, "polygon")[..] else { return None };
+        let drawn = |number: &str| {
+            let mut links = sheet.bodies.iter().flat_map(FreeBody::links);
+            links.find(|link| notation.number(*link) == number)
+        };
+        Some(Self::PolygonOf([drawn(one)?, drawn(other)?]))
     }
 
     /// Its title.
@@ -157,6 +177,9 @@ impl ForcePanel {
                 let links = sheet.moments.get(index).map(|moments| notation.links(&moments.links));
                 Rich::fill(words.free_bodies_figure, &[("links", links.unwrap_or_default())])
             }
+            Self::PolygonOf(links) => {
+                Rich::fill(words.links_polygon_figure, &[("links", notation.links(&links))])
+            }
             Self::Whole => Rich::upright(words.outer_forces_figure),
             Self::Shaking => Rich::upright(words.shaking_figure),
             Self::Friction(index) => friction::title(index, sheet, notation),
@@ -170,7 +193,7 @@ impl ForcePanel {
     pub fn scale(self, sheet: &ForceSheet, notation: &Notation<'_>) -> Option<Rich> {
         match self {
             Self::Friction(index) => friction::scale(index, sheet, notation),
-            Self::Polygon(_) | Self::Whole | Self::Shaking => {
+            Self::Polygon(_) | Self::PolygonOf(_) | Self::Whole | Self::Shaking => {
                 let unit = &notation.scene.units.force;
                 let per_cm = per_mm(sheet, self, notation)? * 10.0 / unit.si;
                 let value = human::with_unit(&human::stated(per_cm), &unit.symbol);
@@ -203,39 +226,8 @@ impl ForcePanel {
             Self::Together(index) => {
                 let moments = sheet.moments.get(index)?;
                 let parties: Vec<Party> = moments.links.iter().map(|link| Party::Link(*link)).collect();
-                // Of links that are cut free together once with the others, and not on their own.
-                let joined = |body: &FreeBody| {
-                    body.with.is_empty()
-                        && sheet
-                            .bodies
-                            .iter()
-                            .any(|other| body.links().iter().any(|l| other.with.contains(l)))
-                };
-                let bodies: Vec<&FreeBody> =
-                    sheet.bodies.iter().filter(|body| parties.contains(&body.of) && !joined(body)).collect();
-                let inner = |acting: &Acting| {
-                    let (pins, links) = acting.action.about();
-                    match acting.action {
-                        Action::Pair { .. } => {
-                            links.iter().flatten().all(|link| moments.links.contains(link))
-                        }
-                        Action::OfPin(..) => pins.iter().flatten().all(|pin| {
-                            let parties = notation.mechanism().parties_at(*pin);
-                            parties.iter().all(|link| moments.links.contains(link))
-                        }),
-                        Action::Drive(input) | Action::DriveBack(input) => {
-                            let between = notation.mechanism().driven_between(input);
-                            between.iter().all(|link| moments.links.contains(link))
-                        }
-                        _ => false,
-                    }
-                };
-                let acting: Vec<Acting> = bodies
-                    .iter()
-                    .flat_map(|body| &body.acting)
-                    .filter(|acting| !inner(acting))
-                    .copied()
-                    .collect();
+                let bodies = bodies_of(&moments.links, sheet);
+                let acting = from_without(&moments.links, sheet, notation);
                 let torques: Vec<(Force, f64)> =
                     bodies.iter().flat_map(|body| &body.torques).copied().collect();
                 let free = Free { of: &parties, acting: &acting, torques: &torques, moments: &[moments] };
@@ -244,6 +236,10 @@ impl ForcePanel {
             Self::Polygon(index) => {
                 let body = sheet.bodies.get(index)?;
                 Some(polygon(&body.acting, None, &pole(body, notation), (self, sheet), notation))
+            }
+            Self::PolygonOf(links) => {
+                let pole = pole_of(&links, notation);
+                Some(polygon(&sides(sheet, self, notation), None, &pole, (self, sheet), notation))
             }
             Self::Whole => {
                 Some(polygon(&sheet.whole, None, &Rich::italic("o").sub("f"), (self, sheet), notation))
@@ -282,14 +278,53 @@ fn extent(places: &[[f64; 2]]) -> f64 {
 /// The pole of the polygon of a body.
 #[must_use]
 pub fn pole(body: &FreeBody, notation: &Notation<'_>) -> Rich {
-    let of = match body.of {
-        Party::Link(_) => {
-            let numbers: Vec<String> = body.links().iter().map(|link| notation.number(*link)).collect();
-            numbers.join(",")
-        }
-        Party::Pin(pin) => notation.index(pin),
+    match body.of {
+        Party::Link(_) => pole_of(&body.links(), notation),
+        Party::Pin(pin) => Rich::italic("o").sub(&format!("{}f", notation.index(pin))),
+    }
+}
+
+/// The pole of the polygon of links.
+fn pole_of(links: &[LinkId], notation: &Notation<'_>) -> Rich {
+    let numbers: Vec<String> = links.iter().map(|link| notation.number(*link)).collect();
+    Rich::italic("o").sub(&format!("{}f", numbers.join(",")))
+}
+
+/// The links that a figure names: 3 and 4 of `polygon(3,4)`; none where it is another figure.
+fn figure_links<'a>(name: &'a str, head: &str) -> Vec<&'a str> {
+    let inside = name.strip_prefix(head).and_then(|rest| rest.strip_prefix('(')?.strip_suffix(')'));
+    inside.map(|inside| inside.split(',').map(str::trim).collect()).unwrap_or_default()
+}
+
+/// The free bodies of links that are cut free together, once each: not on their own those that stand with the others.
+fn bodies_of<'a>(links: &[LinkId], sheet: &'a ForceSheet) -> Vec<&'a FreeBody> {
+    let joined = |body: &FreeBody| {
+        body.with.is_empty()
+            && sheet.bodies.iter().any(|other| body.links().iter().any(|l| other.with.contains(l)))
     };
-    Rich::italic("o").sub(&format!("{of}f"))
+    let of = |body: &&FreeBody| matches!(body.of, Party::Link(link) if links.contains(&link));
+    sheet.bodies.iter().filter(|body| of(body) && !joined(body)).collect()
+}
+
+/// What acts on links that are cut free together from without: known forces first.
+fn from_without(links: &[LinkId], sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<Acting> {
+    let inner = |acting: &Acting| {
+        let (pins, others) = acting.action.about();
+        match acting.action {
+            Action::Pair { .. } => others.iter().flatten().all(|link| links.contains(link)),
+            Action::OfPin(..) => pins.iter().flatten().all(|pin| {
+                let parties = notation.mechanism().parties_at(*pin);
+                parties.iter().all(|link| links.contains(link))
+            }),
+            Action::Drive(input) | Action::DriveBack(input) => {
+                let between = notation.mechanism().driven_between(input);
+                between.iter().all(|link| links.contains(link))
+            }
+            _ => false,
+        }
+    };
+    let bodies = bodies_of(links, sheet);
+    bodies.iter().flat_map(|body| &body.acting).filter(|acting| !inner(acting)).copied().collect()
 }
 
 /// Whether nothing on a sheet comes from inertia.
@@ -302,12 +337,19 @@ fn inertia_free(sheet: &ForceSheet) -> bool {
 }
 
 /// The forces of a polygon.
-fn sides(sheet: &ForceSheet, panel: ForcePanel) -> &[Acting] {
+fn sides<'a>(sheet: &'a ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Cow<'a, [Acting]> {
     match panel {
-        ForcePanel::Polygon(index) => sheet.bodies.get(index).map_or(&[], |body| &body.acting[..]),
-        ForcePanel::Whole => &sheet.whole,
-        ForcePanel::Shaking => &sheet.inertia,
-        _ => &[],
+        ForcePanel::Polygon(index) => {
+            Cow::Borrowed(sheet.bodies.get(index).map_or(&[], |body| &body.acting[..]))
+        }
+        ForcePanel::PolygonOf(links) => {
+            let mut all = from_without(&links, sheet, notation);
+            all.sort_by_key(|acting| acting.closes);
+            Cow::Owned(all)
+        }
+        ForcePanel::Whole => Cow::Borrowed(&sheet.whole),
+        ForcePanel::Shaking => Cow::Borrowed(&sheet.inertia),
+        _ => Cow::Borrowed(&[]),
     }
 }
 
@@ -315,14 +357,15 @@ fn sides(sheet: &ForceSheet, panel: ForcePanel) -> &[Acting] {
 /// could not be read; round in the scene's unit.
 #[must_use]
 pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Option<f64> {
-    let extent_of = |panel: ForcePanel| chain(sides(sheet, panel)).map(|places| extent(&places));
+    let extent_of = |panel: ForcePanel| chain(&sides(sheet, panel, notation)).map(|places| extent(&places));
     let own = extent_of(panel).filter(|own| *own > 0.0)?;
     if let Some(stated) = notation.scene.sheet.force_scale {
         return Some(stated);
     }
     let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
-    let drawn =
-        |panel: &ForcePanel| sides(sheet, *panel).len() > 2 || !matches!(panel, ForcePanel::Polygon(_));
+    let drawn = |panel: &ForcePanel| {
+        sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_))
+    };
     let all: Vec<(f64, ForcePanel)> = bodies
         .chain([ForcePanel::Whole, ForcePanel::Shaking])
         .filter(drawn)
@@ -336,7 +379,7 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
     }
     let same = all.iter().filter(|(size, _)| *size <= largest && *size >= largest / OWN_SCALE);
     let lengths: Vec<f64> = same
-        .flat_map(|(_, panel)| sides(sheet, *panel))
+        .flat_map(|(_, panel)| sides(sheet, *panel, notation).into_owned())
         .map(|acting| libm::hypot(acting.force[0], acting.force[1]))
         .filter(|size| *size > largest / HOPELESS)
         .collect();

@@ -260,6 +260,10 @@ pub(super) fn sentence(index: usize, sheet: &ForceSheet, notation: &Notation<'_>
     let [link, carrier] = touch.between.map(|link| Rich::upright(notation.number(link)));
     let force = symbol(action(touch, notation.mechanism()), notation);
     let at = ("point", name(touch, notation));
+    // What is zero leans nowhere.
+    if touch.force == [0.0; 2] && !matches!(touch.rub.by, RubbedBy::Drag(_)) {
+        return Rich::fill(words.friction_idle, &[at, ("force", force)]);
+    }
     match touch.rub.by {
         RubbedBy::Circle(radius) => {
             let radius = human::quantity(radius, &notation.scene.units.length);

@@ -693,8 +693,9 @@ impl Teller<'_> {
             if let Some(roughness) = rubbing.resistance.roughness() {
                 parts.push(rough(roughness, &place));
             }
+            let halves = self.n.mechanism().forces.spin.map_or(1.0, |spin| f64::from(spin.balls));
             if let Some(drag) = rubbing.resistance.drag() {
-                let size = human::stated_quantity(drag.value, &self.n.scene.units.force);
+                let size = human::stated_quantity(drag.value * halves, &self.n.scene.units.force);
                 parts.push(self.equals(Rich::italic("D").sub(&place), &size));
             }
         }
@@ -868,6 +869,20 @@ impl Teller<'_> {
     }
 
     fn input(&self, index: usize, input: &Input, parts: &mut Vec<Rich>) {
+        // A governor that rests is about to move: how fast does not matter.
+        if self.n.mechanism().forces.spin.is_some_and(|spin| spin.imagined) {
+            let mut own = Vec::new();
+            self.input_that_moves(index, input, &mut own);
+            // A place that is stated comes before the rate.
+            let rate = own.pop();
+            parts.extend(own);
+            parts.extend(rate.map(|rate| Rich::fill(self.n.words.given_imagined, &[("list", rate)])));
+            return;
+        }
+        self.input_that_moves(index, input, parts);
+    }
+
+    fn input_that_moves(&self, index: usize, input: &Input, parts: &mut Vec<Rich>) {
         let stated = self.n.scene.input_units.get(index);
         let rate_unit = |usual: Unit| stated.and_then(|s| s.rate.clone()).unwrap_or(usual);
         let second_unit = |usual: Unit| stated.and_then(|s| s.second.clone()).unwrap_or(usual);
@@ -937,7 +952,13 @@ impl Teller<'_> {
 
     /// A rate with the word that it does not change, where somebody asks for what depends on that.
     fn constant(&self, rate: Rich, change: f64) -> Rich {
-        let fast = |asked: &Asked| asked.quantity.order() == Order::Acceleration;
+        let forces = &self.n.mechanism().forces;
+        // Inertia hangs on accelerations as well.
+        let inertial = !forces.masses.is_empty() && forces.spin.is_none();
+        let fast = |asked: &Asked| {
+            asked.quantity.order() == Order::Acceleration
+                || inertial && matches!(asked.quantity, Quantity::Force(..))
+        };
         if change == 0.0 && self.n.mechanism().asked.iter().any(fast) {
             rate.up("\u{a0}(").up(self.n.words.given_constant).up(")")
         } else {

@@ -12,7 +12,7 @@ use super::labels::{Request, Site};
 use super::notation::Notation;
 use super::printed::Key;
 use super::rich::Rich;
-use super::statics::{DOT, EQUALS, Factor, OVER, TIMES, Teller, arm_name, product};
+use super::statics::{DOT, EQUALS, Factor, OVER, TIMES, Teller, arm_name, as_measured, product};
 use super::steps::{Item, in_radians};
 use crate::graphical::construction::{
     About, AlongGuide, Arm, Construction, ForceSheet, Governor, GovernorState, MomentBalance, OnSleeve,
@@ -129,8 +129,7 @@ impl Teller<'_> {
         let mm = governor.radius / self.construction.space.metres_per_mm;
         let key = Key::Given("radius");
         let (reading, length) = self.measured(key, governor.radius, mm);
-        let measured =
-            radius_name(governor, self.n).up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length);
+        let measured = as_measured(radius_name(governor, self.n), &reading, &length);
         lines.push(Rich::fill(self.n.words.measured_arms, &[("list", measured)]));
         if let Some(mass) = self.n.mechanism().forces.mass(governor.link)
             && let Heaviness::Weight(weight) = mass.heaviness
@@ -398,7 +397,7 @@ impl Teller<'_> {
             let mm = arm.length / self.construction.space.metres_per_mm;
             let (reading, length) = self.measured(self.key_of_arm(&arm), arm.length, mm);
             let name = arm_name(self.sheet, &arm, self.n);
-            all.push(name.up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length));
+            all.push(as_measured(name, &reading, &length));
         }
         all
     }

@@ -31,6 +31,7 @@ mod governor;
 mod grid;
 mod growth;
 mod human;
+mod inertia;
 mod ink;
 mod known;
 mod labels;

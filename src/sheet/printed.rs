@@ -68,6 +68,8 @@ impl Key {
 #[derive(Debug, Clone, Default)]
 pub struct Figures {
     printed: HashMap<Key, Print>,
+    /// What a line tells in a second unit besides.
+    also: HashMap<Key, Print>,
     /// What has so many figures more than usual, because a line that uses it needs them.
     finer: HashMap<Key, usize>,
     /// What lines would have needed so many for.
@@ -170,6 +172,12 @@ impl Figures {
         self.printed.entry(key).or_insert(print);
     }
 
+    /// The same in a second unit, in which the line that tells a number ends.
+    pub(super) fn note_also(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
+        let print = Print { text: text.clone(), number, exact, unit: unit.clone() };
+        self.also.entry(key).or_insert(print);
+    }
+
     /// A magnitude as it is printed in this unit; of what was not told yet as it is told from now on.
     pub(super) fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
         self.number(key, si, unit).0
@@ -177,7 +185,8 @@ impl Figures {
 
     /// The same with the number that stands there.
     fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
-        if let Some(print) = self.printed.get(&key).filter(|print| print.unit == *unit) {
+        let told = [self.printed.get(&key), self.also.get(&key)];
+        if let Some(print) = told.into_iter().flatten().find(|print| print.unit == *unit) {
             return (print.text.clone(), print.number);
         }
         // In a unit of which the other is so many tens it has the same figures.
@@ -354,6 +363,7 @@ pub(super) fn either(action: Action) -> Action {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),
         Action::DriveBack(input) => Action::Drive(input),
+        Action::Spring { index, .. } => Action::Spring { index, end: 0 },
         other => other,
     }
 }

@@ -51,6 +51,7 @@ pub fn told(
     }
     all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
+    all.push((ForcePanel::Loads, teller.stiffnesses()));
     all.push((ForcePanel::Arms, teller.asked_arms()));
     all.push((ForcePanel::Whole, teller.shares()));
     // A head alone says nothing.
@@ -291,12 +292,20 @@ impl Teller<'_> {
         if *unit == *told {
             return line;
         }
-        let shown = human::quantity(number * unit.si, told);
-        // Where rounding twice would be seen the first number has a figure more.
-        if let Some(key) = result.key.filter(|_| shown != human::quantity(result.si, told)) {
-            self.figures.borrow_mut().want(key);
+        let more = result.key.map_or(0, |key| self.figures.borrow().more(key));
+        let (text, own) = human::limited(number * unit.si / told.si, more);
+        let exact = result.si / told.si;
+        if let Some(key) = result.key {
+            let mut figures = self.figures.borrow_mut();
+            // Where rounding twice would be seen the first number has a figure more.
+            if text != human::limited(exact, more).0 {
+                figures.want(key);
+            }
+            // What follows uses the number that stands here.
+            let bare = human::limited(own.abs(), more).0;
+            figures.note_also(key, &bare, (own.abs(), exact.abs()), told);
         }
-        line.up(EQUALS).then(&shown)
+        line.up(EQUALS).then(&human::with_unit(&text, &told.symbol))
     }
 
     fn acceleration(&self) -> Unit {
@@ -313,6 +322,16 @@ impl Teller<'_> {
         }
         if let Some(governor) = &self.sheet.governor {
             lines.extend(self.governor_given(governor));
+        }
+        if self.sheet.governor.is_none() {
+            let sense = match self.sheet.share {
+                Share::Rising => Some(words.governor_up),
+                Share::Falling => Some(words.governor_down),
+                Share::Total | Share::Static | Share::Inertia => None,
+            };
+            lines.extend(
+                sense.map(|sense| Rich::fill(words.told_of_sense, &[("sense", Rich::upright(sense))])),
+            );
         }
         // What is sought elsewhere than at the input is known from here on.
         lines.extend(self.sheet.trial.iter().map(|trial| self.trial(trial)));
@@ -409,7 +428,9 @@ impl Teller<'_> {
             let asked = |asked: &Asked| asked.quantity == Quantity::Force(Force::Pull(index), Share::Total);
             let pushes = length < free.value && !self.n.mechanism().asked.iter().any(asked);
             let pull = stiffness.value * (length - free.value);
-            let result = Factor::new(if pushes { -pull } else { pull }, &units.force, "N");
+            let end =
+                Key::Of(Quantity::Force(Force::Vector(either(Action::Spring { index, end: 0 })), self.share));
+            let result = Factor::new(if pushes { -pull } else { pull }, &units.force, "N").of(end);
             let (now, without) = (self.n.length(from, to), Rich::italic("l").sub(&spring.name));
             let minus = |now: &Rich, without: &Rich| match pushes {
                 true => without.clone().up(" − ").then(now),
@@ -420,6 +441,7 @@ impl Teller<'_> {
             let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&minus(&n[1], &n[2])).up(")");
             let reckon = |n: &[f64]| if pushes { n[0] * (n[2] - n[1]) } else { n[0] * (n[1] - n[2]) };
             let line = self.line(name, formula, &factors, set, reckon, result);
+            self.figures.borrow_mut().alias(self.whole(Force::Pull(index)), end);
             lines.push(match pushes {
                 true => line.aside(self.n.words.comma, &Rich::upright(self.n.words.spring_pushes)),
                 false => line,
@@ -636,7 +658,8 @@ impl Teller<'_> {
         let g = self.n.mechanism().forces.gravity.g.value;
         let a = self.acceleration();
         let name = |letter: &str| Rich::italic(letter).sub(&self.n.number(link));
-        let factors = [Factor::new(weight, &units.force, "N"), Factor::new(g, &a, "m/s²")];
+        let weight = Factor::new(weight, &units.force, "N").of(Key::OfLink("W", link));
+        let factors = [weight, Factor::new(g, &a, "m/s²")];
         let result = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", link));
         let formula = name("W").up(OVER).it("g");
         self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result)
@@ -1228,8 +1251,14 @@ impl Teller<'_> {
         };
         let unknown = || Rich::upright(words.unknown);
         for (i, acting) in body.acting.iter().enumerate() {
+            // What drives acts back on what carries the guide: that force is taken away.
+            let back = match acting.action {
+                Action::DriveBack(input) if i > 0 => Some(Action::Drive(input)),
+                _ => None,
+            };
             if i > 0 {
-                column(Rich::upright("+"), [Rich::default(), Rich::default()]);
+                let sign = if back.is_some() { "−" } else { "+" };
+                column(Rich::upright(sign), [Rich::default(), Rich::default()]);
             }
             let size = libm::hypot(acting.force[0], acting.force[1]);
             let told = match acting.known {
@@ -1252,7 +1281,7 @@ impl Teller<'_> {
                 Knowledge::Full | Knowledge::Line => Rich::tick(),
                 Knowledge::Nothing => unknown(),
             };
-            column(super::force_names::laid_off(self.n, acting.action), [told, line]);
+            column(super::force_names::laid_off(self.n, back.unwrap_or(acting.action)), [told, line]);
         }
         column(Rich::upright("="), [Rich::default(), Rich::default()]);
         column(Rich::upright("0"), [Rich::default(), Rich::default()]);
@@ -1468,13 +1497,36 @@ impl Teller<'_> {
         let all: Vec<&Acting> = body.acting.iter().filter(sized).collect();
         let (found, known): (Vec<&Acting>, Vec<&Acting>) = all.iter().partition(|acting| acting.closes);
         let Some(per_mm) = per_mm(self.sheet, ForcePanel::Polygon(index), self.n) else { return lines };
-        let names = |list: &[&Acting]| {
-            let names: Vec<Rich> = list.iter().map(|acting| self.symbol(acting.action)).collect();
-            self.n.list(&names)
+        // Of a force of which moments gave the part across a line that part is laid off, and the line of the rest is open.
+        let told = |is: fn(&Turning) -> Option<Action>, of: &Acting| {
+            let mut found = self.sheet.moments.iter().filter_map(|moments| is(&moments.found.of));
+            found.any(|action| either(action) == either(of.action))
         };
-        if !known.is_empty() && !found.is_empty() {
+        let across = |of: &Turning| if let Turning::Across(action) = of { Some(*action) } else { None };
+        let along = |of: &Turning| if let Turning::Along(action) = of { Some(*action) } else { None };
+        let parted = |acting: &Acting| found.len() > 1 && told(across, acting) && !told(along, acting);
+        let part = |acting: &Acting, mark: &str| super::force_names::part(self.n, acting.action, mark);
+        let beforehand: Vec<Rich> = known
+            .iter()
+            .map(|acting| self.symbol(acting.action))
+            .chain(
+                found
+                    .iter()
+                    .filter(|acting| parted(acting))
+                    .map(|acting| part(acting, self.n.profile.tangential)),
+            )
+            .collect();
+        let open: Vec<Rich> = found
+            .iter()
+            .map(|acting| match parted(acting) {
+                true => part(acting, self.n.profile.normal),
+                false => self.symbol(acting.action),
+            })
+            .collect();
+        if !beforehand.is_empty() && !found.is_empty() {
             let template = if found.len() > 1 { words.polygon_lines } else { words.polygon_closes };
-            let parts = [("known", names(&known)), ("found", names(&found)), ("pole", pole(body, self.n))];
+            let (known, found) = (self.n.list(&beforehand), self.n.list(&open));
+            let parts = [("known", known), ("found", found), ("pole", pole(body, self.n))];
             lines.push(Rich::fill(template, &parts));
         }
         for acting in &known {
@@ -1565,6 +1617,23 @@ impl Teller<'_> {
         let Some(shaking) = &self.sheet.shaking else { return Vec::new() };
         let words = self.n.words;
         let mut items = vec![self.head(Rich::upright(words.shaking_figure))];
+        if let [only] = &self.sheet.inertia[..] {
+            // One force is its own sum, and stands as it was told.
+            let unit = &self.n.scene.units.force;
+            let [of, is] = [Action::Shaking, only.action].map(|action| self.whole(Force::Vector(action)));
+            let number = {
+                let mut figures = self.figures.borrow_mut();
+                let number = figures.tell(is, libm::hypot(only.force[0], only.force[1]), unit);
+                figures.alias(of, is);
+                human::with_unit(&number, &unit.symbol)
+            };
+            let angle =
+                Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(only.force[1], only.force[0])));
+            let equal = self.symbol(Action::Shaking).up(EQUALS).then(&self.symbol(only.action));
+            let told = equal.up(words.semicolon).then(&number).up(words.comma).then(&angle).up(".");
+            items.push(Item::Sentence(told));
+            return items;
+        }
         let terms: Vec<Rich> = self.sheet.inertia.iter().map(|acting| self.symbol(acting.action)).collect();
         let sum = self
             .sheet
@@ -1605,7 +1674,7 @@ impl Teller<'_> {
             let line = if own.told == 0 && arm.between.is_none() {
                 let mm = arm.length / self.construction.space.metres_per_mm;
                 let (reading, length) = self.measured(key, arm.length, mm);
-                let told = named.up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length);
+                let told = as_measured(named, &reading, &length);
                 Rich::fill(self.n.words.measured_arms, &[("list", told)])
             } else {
                 // A balance has it by another name.
@@ -1626,6 +1695,67 @@ impl Teller<'_> {
                 let line = self.line(symbol(of), formula, &factors, product, |n| n[0] * n[1], result);
                 items.push(Item::Sentence(line.word(self.n.sense(own.found.moment))));
             }
+        }
+        items
+    }
+
+    /// Stiffnesses that were sought: what the spring exerts over how much it is longer, or further turned, than without load.
+    fn stiffnesses(&self) -> Vec<Item> {
+        let (words, units) = (self.n.words, &self.n.scene.units);
+        let mut items = vec![self.head(Rich::upright(words.step_stiffness))];
+        // The lines of a governor tell it.
+        for of in self.sheet.stiffnesses.iter().filter(|_| self.sheet.governor.is_none()) {
+            let spring = &self.n.mechanism().forces.springs[of.spring];
+            let pulls = matches!(spring.kind, SpringKind::Pull(_));
+            let force = if pulls { Force::Pull(of.spring) } else { Force::Twist(of.spring) };
+            let radian = Unit { symbol: "rad".to_owned(), si: 1.0 };
+            let per_radian = Unit { symbol: "N*m/rad".to_owned(), si: 1.0 };
+            let SpringLaw::Stiffness { free, .. } = spring.law else { continue };
+            let now = free.value + of.longer;
+            // A spring pulls where it is longer than without load, a torsion spring turns back.
+            let (exerted, ends) = match pulls {
+                true => (of.value * of.longer, [now, free.value]),
+                false => (-of.value * of.longer, [free.value, now]),
+            };
+            let (force_unit, force_name) = if pulls { (&units.force, "N") } else { (&units.torque, "N·m") };
+            let (size_unit, size_name) = if pulls { (&units.length, "m") } else { (&radian, "rad") };
+            let result = match pulls {
+                true => Factor::new(of.value, &units.stiffness, "N/m"),
+                false => Factor::new(of.value, &per_radian, "N·m/rad"),
+            };
+            let factors = [
+                Factor::new(exerted.abs(), force_unit, force_name).of(self.whole(force)),
+                Factor::new(ends[0], size_unit, size_name),
+                Factor::new(ends[1], size_unit, size_name),
+            ];
+            let symbol = self.n.symbol(Quantity::Force(force, self.share), false);
+            let names = match (pulls, spring.kind) {
+                (true, SpringKind::Pull([(_, from), (_, to)])) => {
+                    [self.n.length(from, to), Rich::italic("l").sub(&spring.name)]
+                }
+                _ => [Rich::italic("φ").sub(&spring.name), Rich::italic("φ")],
+            };
+            if let (SpringKind::Pull([(_, from), (_, to)]), [now, _]) = (spring.kind, ends) {
+                let metres_per_mm = self.construction.space.metres_per_mm;
+                let told = [human::millimetres(now / metres_per_mm), self.length(now)];
+                let measured =
+                    super::steps::measured_length(self.n.length(from, to), told, metres_per_mm, self.n);
+                items.push(Item::Sentence(measured));
+            }
+            let [first, second] = names;
+            let formula = symbol.up(OVER).up("(").then(&first).up(" − ").then(&second).up(")");
+            let back = exerted < 0.0;
+            let set = |n: &[Rich]| {
+                let exerted = if back { Rich::upright("−").then(&n[0]) } else { n[0].clone() };
+                exerted.up(OVER).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")")
+            };
+            let reckon = |n: &[f64]| (if back { -n[0] } else { n[0] }) / (n[1] - n[2]);
+            let name = Rich::italic("K").sub(&spring.name);
+            let line = self.line(name, formula, &factors, set, reckon, result);
+            items.push(Item::Sentence(match of.value < 0.0 {
+                true => line.aside(words.comma, &Rich::upright(words.stiffness_negative)),
+                false => line,
+            }));
         }
         items
     }
@@ -1689,6 +1819,15 @@ impl Teller<'_> {
         let parts = [("point", self.n.point(about)), ("equation", equation)];
         lines.push(Rich::fill(words.shaking_line, &parts));
         lines
+    }
+}
+
+/// A length as it is measured on paper and what it stands for, in one line; once where both are one.
+pub(super) fn as_measured(name: Rich, reading: &Rich, length: &Rich) -> Rich {
+    let told = name.up("\u{a0}=\u{a0}").then(reading);
+    match reading.plain() == length.plain() {
+        true => told,
+        false => told.up("\u{a0}≙\u{a0}").then(length),
     }
 }
 

@@ -29,7 +29,8 @@ pub fn figure_head(name: &str) -> &str {
 }
 
 /// The figures of forces.
-const FORCES: [&str; 8] = ["forces", "loads", "bodies", "body", "polygons", "polygon", "shaking", "friction"];
+const FORCES: [&str; 9] =
+    ["forces", "loads", "inertia", "bodies", "body", "polygons", "polygon", "shaking", "friction"];
 
 /// Whether a figure shows forces.
 #[must_use]
@@ -49,10 +50,24 @@ fn of_forces(name: &str, scene: &Scene) -> Result<(), String> {
             if rubs { Ok(()) } else { Err(format!("figure {name}: nothing rubs at {point}")) }
         }
         (true, Some("all")) if head == "polygon" => Ok(()),
-        (true, Some(link)) => match link.parse().ok().and_then(|n| scene.mechanism.link_numbered(n)) {
-            Some(_) => Ok(()),
-            None => Err(format!("figure {name}: there is no link {link}")),
-        },
+        (true, Some(names)) => {
+            let names: Vec<&str> = names.split(',').map(str::trim).collect();
+            let known = |link: &&str| {
+                let link = link.parse().ok().and_then(|n| scene.mechanism.link_numbered(n));
+                link.is_some_and(|link| link != LinkId::FRAME)
+            };
+            // A pin of several links has its own balance.
+            let is_pin = |name: &str| scene.mechanism.point_named(name).is_some();
+            match (&names[..], names.iter().find(|link| !known(link))) {
+                ([name], Some(_)) if is_pin(name) => Ok(()),
+                ([one, other], None) if one == other => {
+                    Err(format!("figure {name}: link {one} is named twice"))
+                }
+                ([_] | [_, _], None) => Ok(()),
+                (_, Some(link)) => Err(format!("figure {name}: there is no moving link {link}")),
+                _ => Err(format!("figure {name}: name one link, or two that are cut free together")),
+            }
+        }
         (true, None) => Err(format!("figure {name}: write {head}(3), with the number of a link")),
         (false, None) if !name.contains('(') => Ok(()),
         (false, _) => Err(format!("figure {name}: {head} takes no arguments")),

@@ -189,7 +189,10 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
             "this version does not draw friction at a pin of several links that is carried by a link which is found later",
         );
     }
-    let (rubbed, senses) = d.rubbed(plan);
+    if d.mechanism.forces.spin.is_some_and(|spin| spin.imagined && share == Share::Total) {
+        return refused(super::spin::RESTS);
+    }
+    let (rubbed, senses) = d.rubbed(plan, share);
     let mut leaning = Leaning::default();
     for rub in &rubbed {
         if let Rubbed::Slide { slide, drag: Some(drag), .. } = rub {
@@ -298,8 +301,9 @@ impl Draughtsman<'_> {
     }
 
     /// What rubs on the links of a plan, in the senses of the motion; and for each pair something that has its sense.
-    fn rubbed(&mut self, plan: &Plan) -> (Vec<Rubbed>, Vec<(RubbingPair, Amount)>) {
+    fn rubbed(&mut self, plan: &Plan, share: Share) -> (Vec<Rubbed>, Vec<(RubbingPair, Amount)>) {
         let m = self.mechanism;
+        let about_to = self.about_to_move(share);
         let (mut all, mut senses) = (Vec::new(), Vec::new());
         for pair in m.rubbing_pairs() {
             if !m.rubbing_links(pair).iter().any(|link| plan.forces.links.contains(link)) {
@@ -312,6 +316,7 @@ impl Draughtsman<'_> {
                     let turning = self.rate(Order::Velocity, link);
                     let carried = self.rate(Order::Velocity, carrier);
                     let turning = self.board.difference(turning, carried);
+                    let turning = self.in_sense_of_sleeve(turning, about_to);
                     let radius = match circle {
                         FrictionCircle::Radius(radius) => self.board.amount(radius),
                         FrictionCircle::Journal { radius, roughness } => {
@@ -335,6 +340,7 @@ impl Draughtsman<'_> {
                     let at = self.at(point);
                     let (along, normal) = self.guide_at(slide, at);
                     let sliding = self.sliding_along(slide, point, along);
+                    let sliding = self.in_sense_of_sleeve(sliding, about_to);
                     let tangent = resistance.roughness().map(|roughness| {
                         let tangent = match roughness {
                             Roughness::Coefficient(f) => self.board.amount(f),
@@ -362,6 +368,28 @@ impl Draughtsman<'_> {
             }
         }
         (all, senses)
+    }
+
+    /// How the sleeve of a governor that is about to move would slide, as the drawn motion has it, turned round where it is
+    /// about to move back; none of other mechanisms, whose senses are those of their motion.
+    fn about_to_move(&mut self, share: Share) -> Option<Amount> {
+        if !matches!(share, Share::Rising | Share::Falling) {
+            return None;
+        }
+        let slide = self.mechanism.sleeve_slide()?;
+        let point = self.riding_pin(slide)?;
+        let at = self.at(point);
+        let (along, _) = self.guide_at(slide, at);
+        let sliding = self.sliding_along(slide, point, along);
+        Some(if share == Share::Rising { sliding } else { self.board.opposite(sliding) })
+    }
+
+    /// A rate of the drawn motion in the sense in which the sleeve is about to move.
+    fn in_sense_of_sleeve(&mut self, rate: Amount, about_to: Option<Amount>) -> Amount {
+        match about_to {
+            Some(sleeve) => self.board.product(rate, sleeve),
+            None => rate,
+        }
     }
 
     /// The direction that makes the angle of friction with +x: the hypotenuse over 1 and f, or by protractor.
@@ -581,7 +609,9 @@ impl Draughtsman<'_> {
     fn note_drag(&mut self, leaning: &mut Leaning, pair: RubbingPair, (drag, along): (Pull, Direction)) {
         let [x, y] = self.components_of(drag).map(|part| part.value());
         let [ax, ay] = along.value();
-        let by = RubbedBy::Drag(libm::hypot(x, y));
+        // Of a governor a half is drawn, and the whole is told.
+        let halves = self.mechanism.forces.spin.map_or(1.0, |spin| f64::from(spin.balls));
+        let by = RubbedBy::Drag(halves * libm::hypot(x, y));
         leaning.rubs.push(Rub { pair, by, forward: x * ax + y * ay < 0.0 });
     }
 

@@ -71,7 +71,8 @@ pub(super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet>
     d.told = first;
     let sheet = d.governor_sheet(&layout, &shares);
     d.told = Share::Total;
-    sheet.map(|sheet| ForceSheet { share: first, ..sheet })
+    let stiffnesses = d.stiffnesses_told(first);
+    sheet.map(|sheet| ForceSheet { share: first, stiffnesses, ..sheet })
 }
 
 impl Draughtsman<'_> {
@@ -79,6 +80,10 @@ impl Draughtsman<'_> {
     fn governor_layout(&mut self) -> Option<Layout> {
         let m = self.mechanism;
         let spin = m.forces.spin?;
+        // Where pins rub the arm has forces beside its pins: it is told by its free bodies.
+        if !m.forces.friction.is_empty() {
+            return None;
+        }
         let sleeve = self.sleeve_of(&spin);
         let mut off_axis = m.forces.masses.clone();
         // What the halves of the sleeve exert on each other square to the axis is no force of the whole.

@@ -78,29 +78,81 @@ pub(super) struct Sliding {
 }
 
 impl Draughtsman<'_> {
-    /// Why a block on an arc is not balanced, where something would turn it: an arc keeps it by a force that passes by its
-    /// pin.
-    fn curved_block(&mut self, group: &Group, balance: &Balance) -> Option<&'static str> {
+    /// Why a block that something turns on its arc is not balanced: where the arc rubs besides, its force leans from the
+    /// normal of another place than the pin's, and groups of higher class lay off no part of it beforehand.
+    fn curved_block(&mut self, group: &Group, balance: &mut Balance) -> Option<&'static str> {
         for joint in &group.joints {
             let Joint::Slide(slide) = *joint else { continue };
-            let crate::mechanism::Rider::Pin { point, block: Some(block) } =
-                self.mechanism.slides[slide].rider
+            let (Some(block), Some(pin)) = (self.turned_on_arc(balance, slide), self.riding_pin(slide))
             else {
                 continue;
             };
-            if !self.is_arc(slide) {
-                continue;
-            }
-            if Self::rubs_at(balance, point) {
+            if balance.leaning.leans(slide) {
                 return Some(
-                    "this version does not draw friction at the pin of a block that slides on an arc",
+                    "this version does not draw friction on an arc along which something turns the block",
                 );
             }
-            if balance.known[block.0].iter().any(|item| item.couple.is_some()) {
-                return Some("this version does not draw a couple on a block that slides on an arc");
+            let laid_off = matches!(
+                group.kind,
+                GroupKind::Rrp { .. }
+                    | GroupKind::Driven { .. }
+                    | GroupKind::Prp { .. }
+                    | GroupKind::Rpr { .. }
+                    | GroupKind::Yoke { .. }
+            );
+            if !laid_off {
+                return Some("this version does not draw a couple on a block on an arc in this group");
             }
+            let found = TakenFor::Arc(slide);
+            balance.taken.push(Taken { links: vec![block], about: About::Point(pin), found });
         }
         None
+    }
+
+    /// The block of a sliding pair that its arc has to keep from turning about its pin: something else than forces through
+    /// that pin acts on it.
+    pub(super) fn turned_on_arc(&mut self, balance: &Balance, slide: usize) -> Option<LinkId> {
+        let crate::mechanism::Rider::Pin { point, block: Some(block) } = self.mechanism.slides[slide].rider
+        else {
+            return None;
+        };
+        let turned = balance.known[block.0].iter().any(|item| item.couple.is_some())
+            || self.mechanism.link(block).points.len() > 1
+            || Self::rubs_at(balance, point);
+        (self.is_arc(slide) && turned).then_some(block)
+    }
+
+    /// The line of a guide's force on what rides, through the place where the pin acts on it, and what of that force is
+    /// known beforehand. The force of an arc passes through its centre: where something turns the block about its pin, the
+    /// part across the line to the centre takes it up, M / R, as moments of the block tell; on a straight guide a couple does.
+    pub(super) fn pressing_on(
+        &mut self,
+        balance: &Balance,
+        slide: usize,
+        (at, touch): (Point, Point),
+    ) -> (Direction, Option<Item>) {
+        let (_, normal) = self.pressing_at(balance, slide, at);
+        let Some(block) = self.turned_on_arc(balance, slide) else { return (normal, None) };
+        let Track::Arc(circle) = self.track(slide, None) else { return (normal, None) };
+        let reason = self.reason(&[block, self.mechanism.slides[slide].guide.link]);
+        let (inward, mm) = self.board.toward(touch, circle.centre, reason);
+        let line = self.guide_force_as_drawn(slide, inward);
+        let items = balance.on(block);
+        let Some(moment) = self.moments(&items, touch) else { return (line, None) };
+        let scale = self.length_scale();
+        let arm = self.board.read(mm, scale);
+        let size = self.board.quotient(moment, arm, reason);
+        let size = self.board.opposite(size);
+        let across = self.board.quarter_turn(line);
+        let pull = self.pull_along(across, size);
+        (line, Some(Item { pull: Some(pull), at: touch, couple: None }))
+    }
+
+    /// A force with the part of it that was known beforehand.
+    fn with_known(&mut self, force: Pull, known: Option<Item>) -> Pull {
+        let Some(known) = known.and_then(|item| item.pull) else { return force };
+        let head = self.chained(&[force, known]);
+        Pull { tail: self.board.origin(), head }
     }
 
     /// The sides of a sliding pair in which `pin` rides, itself or with a link of the group.
@@ -499,15 +551,16 @@ fn rrp(
     let (at_base, at) = (d.touch_at(balance, base, leg.link), d.at(pin));
     // Where the rod acts on what slides.
     let touch = sliding.inner.map_or(at, |rider| d.inner_touch(balance, pin, [rod, rider]));
-    let (_, normal) = d.pressing_at(balance, slide, at);
+    let (normal, across) = d.pressing_on(balance, slide, (at, touch));
     let rubs = Draughtsman::rubs_at(balance, pin);
     let couple = if rubs { None } else { d.keeping(&on_rider, at) };
     let rod_moments = d.moments(&on_rod, at_base);
     let polygon = rod_moments.is_none() && sliding.inner.is_some();
     let line = Line { through: touch, along: normal };
+    let felt: Vec<Item> = on_rider.iter().copied().chain(across).collect();
     let three = match polygon {
         true => None,
-        false => d.by_three_forces(balance, rod, (&on_rod, &on_rider), line, at_base),
+        false => d.by_three_forces(balance, rod, (&on_rod, &felt), line, at_base),
     };
     leg.note_member(pin, balance);
     let of_guide = if let Some(of_guide) = three {
@@ -516,10 +569,10 @@ fn rrp(
         // A member of two forces: its line is that of its pins.
         let reason = d.reason(&[rod]);
         let (along, _) = d.board.toward(at_base, touch, reason);
-        let [guide, _] = d.two_lines(&pulls(&on_rider), [normal, along], &[rod]);
+        let [guide, _] = d.two_lines(&pulls(&felt), [normal, along], &[rod]);
         guide
     } else {
-        let rider_force = pulls(&on_rider);
+        let rider_force = pulls(&felt);
         let mut moments = rod_moments;
         if !rider_force.is_empty() {
             let head = d.chained(&rider_force);
@@ -532,6 +585,7 @@ fn rrp(
         balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
     };
+    let of_guide = d.with_known(of_guide, across);
     let of_guide = d.slide_force_as_used(slide, sliding.inner, of_guide);
     let couple = match sliding.inner {
         Some(_) if rubs => {
@@ -575,16 +629,19 @@ fn rpr(
     // Where the pin acts on the inner body.
     let touch = sliding.inner.map_or(at, |link| d.touch_at(balance, pin, link));
     let rubs = sliding.inner.is_some() && Draughtsman::rubs_at(balance, pin);
-    let (_, normal) = d.pressing_at(balance, slide, at);
+    let (normal, across) = d.pressing_on(balance, slide, (at, touch));
     let on_inner = balance.on_some(sliding.inner);
+    let felt = across.map(|item| Item { pull: item.pull.map(Draughtsman::opposite), ..item });
+    let lever_and_felt: Vec<Item> = on_lever.iter().copied().chain(felt).collect();
     // What would turn the inner body is kept by the lever, which feels it.
     let couple = d.keeping(&on_inner, at);
     let turned = if rubs { d.moments(&on_inner, touch) } else { d.moments(&on_inner, at) };
     let line = Line { through: touch, along: normal };
-    let on_lever_force = match d.by_three_forces(balance, lever, (&on_lever, &on_inner), line, at_base) {
+    let on_lever_force = match d.by_three_forces(balance, lever, (&lever_and_felt, &on_inner), line, at_base)
+    {
         Some(on_lever_force) => on_lever_force,
         None => {
-            let moments = d.moments(&on_lever, at_base);
+            let moments = d.moments(&lever_and_felt, at_base);
             let moments = d.both(moments, turned);
             let size = d.balancing(moments, line, at_base, &[lever]);
             let found = TakenFor::Slot(slide);
@@ -593,6 +650,7 @@ fn rpr(
         }
     };
     let on_inner_force = Draughtsman::opposite(on_lever_force);
+    let on_inner_force = d.with_known(on_inner_force, across);
     let on_inner_force = d.slide_force_as_used(slide, sliding.inner, on_inner_force);
     let on_lever_force = Draughtsman::opposite(on_inner_force);
     let couple = if rubs {
@@ -643,13 +701,19 @@ fn prp(
     for body in &bodies {
         all.extend(pulls(&balance.on(*body)));
     }
-    let normals = slides.map(|slide| d.pressing_at(balance, slide, at).1);
+    let pressing = [0, 1].map(|i| {
+        let touch = sides[i].inner.map_or(at, |link| d.touch_at(balance, pin, link));
+        d.pressing_on(balance, slides[i], (at, touch))
+    });
+    let (normals, across) = (pressing.map(|(normal, _)| normal), pressing.map(|(_, across)| across));
+    all.extend(across.iter().flatten().filter_map(|item| item.pull));
     let rubs = Draughtsman::rubs_at(balance, pin);
     let guides = sides.each_ref().map(|side| match side.outer {
         Party::Link(link) => link,
         Party::Pin(_) => LinkId::FRAME,
     });
-    let forces = d.two_lines(&all, normals, &guides);
+    let along = d.two_lines(&all, normals, &guides);
+    let forces = [0, 1].map(|i| d.with_known(along[i], across[i]));
     let one_body = sides[0].inner == sides[1].inner && sides[0].inner.is_some();
     if bodies.len() > 1 && !all.is_empty() {
         balance.as_one.push(bodies.clone());
@@ -743,11 +807,15 @@ fn yoke(
         return;
     };
     let at = d.at(first);
-    let (_, of_slot) = d.pressing_at(balance, slot, at_pin);
+    let touch = sliding.inner.map_or(at_pin, |block| d.touch_at(balance, pin, block));
+    let (of_slot, across) = d.pressing_on(balance, slot, (at_pin, touch));
     let (_, of_ride) = d.pressing_at(balance, ride, at);
-    let [slot_force, ride_force] = d.two_lines(&pulls(&on_link), [of_slot, of_ride], &[link]);
+    let mut on_yoke = pulls(&on_link);
+    on_yoke.extend(across.and_then(|item| item.pull).map(Draughtsman::opposite));
+    let [slot_force, ride_force] = d.two_lines(&on_yoke, [of_slot, of_ride], &[link]);
     // The slot's force on the yoke is that of the block, or of the pin, turned round.
-    let on_inner = Draughtsman::opposite(slot_force);
+    let on_inner = d.with_known(Draughtsman::opposite(slot_force), across);
+    let slot_force = Draughtsman::opposite(on_inner);
     let block_couple = match sliding.inner {
         Some(block) if Draughtsman::rubs_at(balance, pin) => {
             let mut all = on_block.clone();

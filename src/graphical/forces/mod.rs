@@ -168,6 +168,8 @@ pub(super) enum TakenFor {
     Slide(usize),
     /// The same where what rides acts on the guide of a lever.
     Slot(usize),
+    /// Of the force of an arc on its block the part across the line from the pin to the arc's centre.
+    Arc(usize),
     /// The force of a rolling pair on one of its bodies; of a pair that keeps its contact what presses, or what is along
     /// the tangent.
     Roll { roll: usize, on: LinkId, presses: bool },

@@ -8,6 +8,7 @@ use crate::mechanism::{LinkId, PointId};
 use super::super::construction::About as Told;
 use super::super::construction::{Acting, Arm, FreeBody, MassForces, MomentBalance, MomentTerm, Turning};
 use super::super::draughtsman::Draughtsman;
+use super::super::pose::Track;
 use super::{About, Holder, Taken, TakenFor};
 
 /// An arm shorter than this on paper is none: the line passes through the point, mm.
@@ -129,6 +130,28 @@ impl Draughtsman<'_> {
             all.push(balance);
         }
         all
+    }
+
+    /// The force of an arc on a block that something turns, or that of the block on the arc: along the line from the place
+    /// where the pin acts on the block to the centre, and across it; with the centre, through which both pass.
+    fn parts_on_arc(
+        &mut self,
+        balance: &super::Balance,
+        (slide, action): (usize, Action),
+        touch: Point,
+    ) -> Option<([super::Pull; 2], Point)> {
+        self.turned_on_arc(balance, slide)?;
+        let Track::Arc(circle) = self.track(slide, None) else { return None };
+        let items = self.items_of(action, self.told).ok()?;
+        let whole = self.sum_of(&items);
+        let reason = self.reason(&[]);
+        let (along, _) = self.board.toward(touch, circle.centre, reason);
+        let line = Line { through: whole.tail, along };
+        let [size, _] = self.board.square_off(line, whole.head);
+        let foot = self.board.step_off(whole.tail, along, size);
+        let parts =
+            [super::Pull { tail: whole.tail, head: foot }, super::Pull { tail: foot, head: whole.head }];
+        Some((parts, circle.centre))
     }
 
     /// The moments of what rides in a guide about its pin, which give the couple that it exerts on the guide: they are told
@@ -279,8 +302,18 @@ impl Draughtsman<'_> {
                     Party::Pin(pin) => self.force_of_guide(pin, guide, head),
                 };
                 without.push(action);
-                found = self.moment_term(action, about, Some(at));
-                if let (true, Party::Link(_)) = (on_guide, self.mechanism.party_of(&pair.rider)) {
+                let parts = self.parts_on_arc(&balance, (slide, action), at);
+                if let Some(([part_along, part_across], centre)) = parts {
+                    // Both parts pass through the centre of the arc.
+                    terms.extend(self.term_of_pull(Turning::Across(action), part_across, centre, about));
+                    found = self.term_of_pull(Turning::Along(action), part_along, centre, about);
+                } else {
+                    found = self.moment_term(action, about, Some(at));
+                }
+                let straight = parts.is_none();
+                if let (true, true, Party::Link(_)) =
+                    (straight, on_guide, self.mechanism.party_of(&pair.rider))
+                {
                     let couple = self
                         .items_of(action, self.told)
                         .ok()?
@@ -290,11 +323,17 @@ impl Draughtsman<'_> {
                         .filter(|couple| *couple != 0.0);
                     terms.extend(couple.map(|couple| torque(Force::Moment(action, pin), couple)));
                 }
-                if let (TakenFor::Slide(_), Party::Link(block)) =
-                    (taken.found, self.mechanism.party_of(&pair.rider))
+                if let (true, TakenFor::Slide(_), Party::Link(block)) =
+                    (straight, taken.found, self.mechanism.party_of(&pair.rider))
                 {
                     riders.push((block, at));
                 }
+            }
+            TakenFor::Arc(slide) => {
+                let action = Action::Pair { by: self.mechanism.slides[slide].guide.link, on: first };
+                without.push(action);
+                let ([_, part_across], centre) = self.parts_on_arc(&balance, (slide, action), about)?;
+                found = self.term_of_pull(Turning::Across(action), part_across, centre, about);
             }
         }
         // Without an effort it is what is sought on the driven link that its moments give.

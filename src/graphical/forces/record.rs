@@ -12,7 +12,7 @@ use crate::plan::Plan;
 
 use super::super::construction::{
     Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, Member, MomentBalance, SpringTwist,
-    Touch, Turning,
+    Stiffness, Touch, Turning,
 };
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
@@ -163,6 +163,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     let contacts = (0..d.mechanism.rolls.len()).filter(|roll| d.keeps_contact(*roll)).collect();
     let drawn = |link: LinkId| plan.forces.links.contains(&link);
     let (sizes, twists) = (d.sizes_told(drawn), d.twists_told(drawn));
+    let stiffnesses = d.stiffnesses_told(share);
     Some(ForceSheet {
         share,
         governor: None,
@@ -183,6 +184,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
         passes,
         sizes,
         twists,
+        stiffnesses,
     })
 }
 
@@ -236,6 +238,10 @@ impl Found {
 
 /// The links of a group in the order in which they are balanced; those that are balanced together stand together.
 fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
+    // What a block on an arc needs of it is told with the block, wherever that stands.
+    let taken: Vec<&Taken> =
+        taken.iter().copied().filter(|taken| !matches!(taken.found, TakenFor::Arc(_))).collect();
+    let taken = &taken[..];
     let mut all: Vec<LinkId> = links.iter().rev().copied().collect();
     let first = |taken: &Taken| taken.links.first().copied();
     // The legs whose moments give a part of their force, the link that they hold, and the others.
@@ -588,7 +594,7 @@ impl Draughtsman<'_> {
                 _ => None,
             },
             TakenFor::Driven(input) => Some(Action::Drive(input)),
-            TakenFor::Across { .. } => None,
+            TakenFor::Across { .. } | TakenFor::Arc(_) => None,
             TakenFor::Along { pin, by, on, .. } if self.carrier_of_whole(pin).is_some() => {
                 Some(self.force_at_pin(pin, by, on))
             }
@@ -911,6 +917,34 @@ impl Draughtsman<'_> {
         all
     }
 
+    /// The stiffnesses that the balance of a share has found.
+    pub(super) fn stiffnesses_told(&mut self, share: Share) -> Vec<Stiffness> {
+        let Some((_, balance)) = self.balances.iter().find(|(of, _)| *of == share) else { return Vec::new() };
+        let found: Vec<(usize, f64)> = balance
+            .efforts
+            .iter()
+            .filter_map(|(sought, size)| match *sought {
+                Sought::Spring(spring) => Some((spring, size.value())),
+                _ => None,
+            })
+            .collect();
+        let mut all = Vec::new();
+        for (spring, value) in found {
+            let own = self.mechanism.forces.springs[spring].clone();
+            let SpringLaw::Stiffness { free, .. } = own.law else { continue };
+            let longer = match own.kind {
+                SpringKind::Pull(ends) => {
+                    let per_mm = self.length_scale().si_per_mm;
+                    let [a, b] = ends.map(|(_, point)| self.at(point).value());
+                    libm::hypot(a[0] - b[0], a[1] - b[1]) * per_mm - free.value
+                }
+                SpringKind::Torsion(links) => self.further_turned(links, free).value(),
+            };
+            all.push(Stiffness { spring, value, longer });
+        }
+        all
+    }
+
     /// Everything that acts on the mechanism from outside.
     fn outer_forces(&mut self) -> Vec<Acting> {
         let m = self.mechanism;
@@ -935,6 +969,12 @@ impl Draughtsman<'_> {
             {
                 wanted.push((Action::Spring { index, end: 1 - fixed }, Knowledge::Full));
             }
+        }
+        if let Some(spin) = forces.spin
+            && let Some(drag) = spin.drag
+            && spin.sense(self.told, m).is_some()
+        {
+            wanted.push((Action::Drag(drag.slide), Knowledge::Full));
         }
         for sought in m.sought() {
             if let Sought::Effort(input) = sought
