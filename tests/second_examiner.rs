@@ -187,12 +187,12 @@ fn a_ratio_the_other_way_up_and_two_figures_have_their_names() {
             "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 50 } },
             "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } } ],
             "near": { "B": [58, 0] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" },
-            "find": ["ratio(3,2)", "v(A)"]
+            "find": ["ratio(3/2)", "v(A)"]
         })
         .to_string(),
     );
     let ratio = right().omega / 10.0;
-    let report = graded(&scene, &json!({ "values": { "ratio(3,2)": format!("{:.3}", 1.0 / ratio) } }));
+    let report = graded(&scene, &json!({ "values": { "ratio(3/2)": format!("{:.3}", 1.0 / ratio) } }));
     assert_eq!(first(&report), Some(Kind::RatioInverted), "{}", report.to_text());
     // (-259.8, 150) cm/s.
     let report =
@@ -208,12 +208,13 @@ fn a_ratio_the_other_way_up_and_two_figures_have_their_names() {
 #[test]
 fn a_minus_sign_makes_a_plus_a_sense() {
     let Closed { omega, alpha, .. } = right();
-    assert!(omega < 0.0 && alpha < 0.0);
+    // Clockwise the one, counter-clockwise the other.
+    assert!(omega < 0.0 && alpha > 0.0);
     let report = graded(&slider(), &json!({ "values": { "omega(3)": -omega } }));
     assert_eq!(verdict(&report, "omega(3)"), Verdict::Right, "a magnitude: {}", report.to_text());
-    let report = graded(&slider(), &json!({ "values": { "omega(3)": -omega, "alpha(3)": alpha } }));
+    let report = graded(&slider(), &json!({ "values": { "omega(3)": -omega, "alpha(3)": -alpha } }));
     assert_eq!(verdict(&report, "omega(3)"), Verdict::Wrong, "{}", report.to_text());
-    assert_eq!(verdict(&report, "alpha(3)"), Verdict::Right, "{}", report.to_text());
+    assert_eq!(verdict(&report, "alpha(3)"), Verdict::Wrong, "{}", report.to_text());
 }
 
 #[test]

@@ -1234,7 +1234,7 @@ impl<'s> Case<'s> {
     /// them; what is a place or an angle is counted from an origin of no meaning.
     pub(super) fn tells(&self, index: usize, numbers: &[f64], room: Room) -> bool {
         let length = size(numbers);
-        if is_place(&self.observations[index]) || length > room.by {
+        if self.has_no_origin(index) || length > room.by {
             return true;
         }
         // What is no more than the slip of a hand is met by calculation, not by reading.
@@ -1255,12 +1255,19 @@ impl<'s> Case<'s> {
         self.given_size(index) == 0.0
     }
 
+    /// Whether zero means nothing for an answer: a place or an angle, or what is left when something is taken off.
+    fn has_no_origin(&self, index: usize) -> bool {
+        let observation = &self.observations[index];
+        let rest = Quantity::Cycle(CycleQuantity::Flywheel);
+        is_place(observation) || observation.quantity == Some(rest)
+    }
+
     /// Whether an answer is nothing for the hand where the right one is not.
     pub(super) fn hands_in_nothing(&self, index: usize) -> bool {
         let given = self.given_size(index);
         let nothing = |length: f64| length <= self.rooms[index].by;
         let right = self.truth[index].as_deref().map_or(0.0, size);
-        !is_place(&self.observations[index]) && nothing(given) && !nothing(right)
+        !self.has_no_origin(index) && nothing(given) && !nothing(right)
     }
 
     /// How far an answer is from what would be seen, in rooms.

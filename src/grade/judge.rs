@@ -210,7 +210,8 @@ impl Judge<'_, '_> {
         // Two mistakes fit any one number: there must be more to be explained.
         let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
         let mut two = false;
-        if tried.is_empty() && open > 1 {
+        // Nor does any one number that is nothing.
+        if tried.is_empty() && open > 1 && !self.case.hands_in_nothing(self.first) {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
         }

@@ -85,7 +85,7 @@ pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Foun
     let sheet = match (by_fixed, skeleton) {
         // A skeleton says how the sheet lies; with one fixed point, if it is turned as a whole.
         (Some(turn), _) => turn,
-        (None, Some(skeleton)) if skeleton.better => skeleton.turn,
+        (None, Some(skeleton)) if skeleton.better && believed(&skeleton.turn) => skeleton.turn,
         (None, None) if of(Order::Position).is_none() => {
             // Without one the polygons do, where all of them are turned alike.
             let first =
