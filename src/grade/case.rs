@@ -1238,7 +1238,13 @@ impl<'s> Case<'s> {
             return true;
         }
         // What is no more than the slip of a hand is met by calculation, not by reading.
-        let part = Room { by: self.ground.standard().max_tolerance * length, ..room };
+        self.meets(index, numbers)
+    }
+
+    /// Whether an answer is as near to numbers as a part of them, in magnitude.
+    pub(super) fn meets(&self, index: usize, numbers: &[f64]) -> bool {
+        let length = size(numbers);
+        let part = Room::of(self.ground.standard().max_tolerance * length);
         length > 0.0 && self.miss(index, Some(numbers), part) <= 1.0
     }
 

@@ -324,7 +324,10 @@ impl Judge<'_, '_> {
             // What is nothing for the hand is explained by what is left out, and by no factor.
             let tells = seen[self.first].as_deref().is_none_or(|numbers| {
                 hypothesis.kind.leaves_out()
-                    || !nothing && self.case.tells(self.first, numbers, rooms[self.first])
+                    || match nothing {
+                        true => self.case.meets(self.first, numbers),
+                        false => self.case.tells(self.first, numbers, rooms[self.first]),
+                    }
             });
             let tried_one = self.counted(hypothesis.clone(), change, &seen, &rooms);
             if tells
