@@ -166,6 +166,8 @@ impl Ground {
     pub fn si_of(&self, quantity: &Quantity) -> f64 {
         match (quantity, self.scales.paper().force) {
             (Quantity::Force(force, _), Some(newtons)) if force.is_vector() => newtons,
+            // Centres are found for velocities, and stand on the skeleton.
+            (Quantity::Centre(..), _) => self.scales.length(),
             _ => self.scales.of(quantity.order().dimension()),
         }
     }

@@ -16,7 +16,7 @@ use linkgram::exam::{self, Drawn, ExamError, Flaw, Terms};
 use linkgram::mechanism::quantity::Answer;
 use linkgram::scene::Scene;
 use linkgram::sheet::Language;
-use linkgram::solve::{Hand, solve_analytically};
+use linkgram::solve::solve_analytically;
 use roxmltree::{Document, Node};
 
 const SCENES: [&str; 6] = [
@@ -29,15 +29,7 @@ const SCENES: [&str; 6] = [
 ];
 
 fn terms(variants: usize) -> Terms {
-    let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
-    Terms {
-        variants,
-        seed: 7,
-        flattest: 15.0_f64.to_radians(),
-        hand,
-        max_tolerance: 0.1,
-        loose: exam::Loose::default(),
-    }
+    common::hand_in::terms(variants, 7, exam::Loose::default())
 }
 
 fn drawn(scene: &Scene, variants: usize, workers: usize) -> Drawn {

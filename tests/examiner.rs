@@ -12,48 +12,10 @@ use linkgram::grade::{
 use linkgram::scene::{self, Scene};
 use serde_json::{Value, json};
 
-/// Crank 30 cm at 60°, rod 50 cm, 10 rad/s counter-clockwise.
-const SLIDER: &str = r#"{
-    "title": "Slider-crank", "units": { "length": "cm" },
-    "fixed": { "O2": [0, 0] },
-    "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 50 } },
-    "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } }],
-    "near": { "B": [58, 0] },
-    "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" },
-    "find": ["v(B)", "omega(3)", "a(B)", "alpha(3)"],
-    "sheet": { "marks": { "a(B)": 3 } }
-}"#;
-
-fn slider() -> Scene {
-    scene::read(SLIDER, "slider.json").unwrap()
-}
-
-fn graded(scene: &Scene, answers: &Value) -> Report {
-    let answers = read_answers(&answers.to_string(), scene).unwrap();
-    grade(scene, &answers, &GradeSettings::default()).unwrap()
-}
+use crate::common::hand_in::{Closed, SLIDER, graded, right as closed, slider};
 
 fn verdict(report: &Report, name: &str) -> Verdict {
     report.quantities.iter().find(|q| q.name == name).unwrap_or_else(|| panic!("no {name}")).verdict
-}
-
-/// The slider-crank by its closed forms, in cm and s: A, B, ω₃, ε₃.
-struct Closed {
-    a: [f64; 2],
-    b: [f64; 2],
-    omega: f64,
-    alpha: f64,
-}
-
-fn closed() -> Closed {
-    let (r, l, w, at): (f64, f64, f64, f64) = (30.0, 50.0, 10.0, 60_f64.to_radians());
-    let a = [r * at.cos(), r * at.sin()];
-    let b = [a[0] + (l * l - a[1] * a[1]).sqrt(), 0.0];
-    let d = [b[0] - a[0], b[1] - a[1]];
-    // The rod turns so that B stays on the axis: r w cos φ + ω₃ dx = 0, and once more for accelerations.
-    let omega = -r * w * at.cos() / d[0];
-    let alpha = (r * w * w * at.sin() + omega * omega * d[1]) / d[0];
-    Closed { a, b, omega, alpha }
 }
 
 fn components(v: [f64; 2], unit: &str) -> Value {
@@ -120,7 +82,7 @@ fn what_leaves_a_choice_is_told_and_not_guessed() {
 /// and no longer lies along the guide. The program's own way from there on is another one.
 #[test]
 fn a_sum_of_the_students_own_vectors_is_consistent() {
-    let Closed { a, b, omega, alpha } = closed();
+    let Closed { a, b, omega, alpha, .. } = closed();
     let d = [b[0] - a[0], b[1] - a[1]];
     let of_crank = [-100.0 * a[0], -100.0 * a[1]];
     let normal = [-omega * omega * d[0], -omega * omega * d[1]];

@@ -9,6 +9,8 @@ use linkgram::grade::{GradeSettings, Kind, Report, Verdict, grade, grade_with_ov
 use linkgram::scene::{self, Scene};
 use serde_json::{Value, json};
 
+use crate::common::hand_in::{Closed, closed, graded};
+
 const CRANK: f64 = 30.0;
 const ROD: f64 = 50.0;
 const RATE: f64 = 10.0;
@@ -29,29 +31,6 @@ fn slider(degrees: f64, find: &[&str]) -> Scene {
 
 const ALL: [&str; 4] = ["v(B)", "omega(3)", "a(B)", "alpha(3)"];
 
-/// The closed forms, in cm and s.
-#[derive(Clone, Copy)]
-struct Closed {
-    a: [f64; 2],
-    b: [f64; 2],
-    speed: f64,
-    omega: f64,
-    acceleration: f64,
-    alpha: f64,
-}
-
-/// The crank of this length at this angle (radians), and V_A so many times too large.
-fn closed(crank: f64, angle: f64, enlarged: f64) -> Closed {
-    let a = [crank * angle.cos(), crank * angle.sin()];
-    let d = [(ROD * ROD - a[1] * a[1]).sqrt(), -a[1]];
-    // V_B = V_A + ω₃ × d has no part across the guide, and A_B neither.
-    let omega = -enlarged * RATE * a[0] / d[0];
-    let speed = -enlarged * RATE * a[1] - omega * d[1];
-    let alpha = (RATE * RATE * a[1] + omega * omega * d[1]) / d[0];
-    let acceleration = -RATE * RATE * a[0] - alpha * d[1] - omega * omega * d[0];
-    Closed { a, b: [a[0] + d[0], 0.0], speed, omega, acceleration, alpha }
-}
-
 fn values(own: &Closed) -> Value {
     json!({
         "v(B)": { "components": [format!("{:.3} cm/s", own.speed), "0 cm/s"] },
@@ -59,11 +38,6 @@ fn values(own: &Closed) -> Value {
         "a(B)": { "components": [format!("{:.2} cm/s^2", own.acceleration), "0 cm/s^2"] },
         "alpha(3)": { "value": format!("{:.4} rad/s^2", own.alpha) },
     })
-}
-
-fn graded(scene: &Scene, answers: &Value) -> Report {
-    let answers = read_answers(&answers.to_string(), scene).unwrap();
-    grade(scene, &answers, &GradeSettings::default()).unwrap()
 }
 
 fn wrong(report: &Report) -> Vec<&str> {

@@ -7,22 +7,13 @@ use std::process::Command;
 use linkgram::exam::{self, ExamError, Terms};
 use linkgram::grade::{self, Verdict};
 use linkgram::scene;
-use linkgram::solve::Hand;
 use linkgram::sweep::governor::{Governed, Stability, governed};
 use serde_json::Value;
 
 use crate::common;
 
 fn terms(variants: usize) -> Terms {
-    let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
-    Terms {
-        variants,
-        seed: 7,
-        flattest: 15.0_f64.to_radians(),
-        hand,
-        max_tolerance: 0.1,
-        loose: exam::Loose::default(),
-    }
+    common::hand_in::terms(variants, 7, exam::Loose::default())
 }
 
 /// A slider-crank with everything that a scene of forces may say.

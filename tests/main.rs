@@ -65,6 +65,7 @@ mod planted;
 mod planted_forces;
 mod random_sheets;
 mod rooms;
+mod second_examiner;
 mod stated;
 #[path = "statements/main.rs"]
 mod statements;

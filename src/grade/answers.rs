@@ -70,6 +70,8 @@ pub struct Item {
     pub given: Given,
     /// In which form it was written.
     pub form: Form,
+    /// It is a rotation whose sense is said by a minus sign.
+    pub minus: bool,
     /// A point of the line of a force, metres in the world, where one is told.
     pub through: Option<[f64; 2]>,
     /// Half a unit in its last place, in the unit of `given`.
@@ -181,6 +183,18 @@ impl Answers {
         Ok(())
     }
 
+    /// Where one rotation has a minus sign, those without a sign or a sense turn counter-clockwise.
+    pub(super) fn take_plus_for_a_sense(&mut self) {
+        if !self.items.iter().any(|item| item.minus) {
+            return;
+        }
+        for item in self.items.iter_mut().filter(|item| is_rate(&item.asked.quantity)) {
+            if let Given::Magnitude(size) = item.given {
+                item.given = Given::Signed(size);
+            }
+        }
+    }
+
     /// Refuses one answer more than anybody hands in.
     pub(super) fn count(&self, at: usize) -> Res<()> {
         let points: usize = self.figures.iter().map(|figure| figure.points.len()).sum();
@@ -202,7 +216,8 @@ impl Answers {
             let given = if is_vector(&asked.quantity) { Given::Vector([0.0; 2]) } else { Given::Signed(0.0) };
             let place = crate::tolerance::is_place(&asked.quantity);
             let form = if place { Form::Components } else { Form::Polar };
-            Item { asked: asked.clone(), given, form, through: None, rounding: 0.0, at: 0 }
+            let asked = asked.clone();
+            Item { asked, given, form, minus: false, through: None, rounding: 0.0, at: 0 }
         };
         let items = scene.mechanism.asked.iter().map(item).collect();
         Self { items, ..Self::none("", "") }
@@ -318,9 +333,14 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
     let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
     let names = Names::new(&scene.mechanism, &scales);
     for entry in entries(&fields, "values", "values, by name of the quantity")? {
-        let item = value(entry, &names, &scales)?;
-        answers.take(item)?;
+        let asked = quantity(&names, &entry.key, entry.at, scene)?;
+        // A box that was left empty: not answered.
+        if !is_blank(&entry.value) {
+            let item = value(asked, entry, &scales)?;
+            answers.take(item)?;
+        }
     }
+    answers.take_plus_for_a_sense();
     let stated = fields.get("scales").map(|v| Fields::of(v, SCALES, "scales by diagram")).transpose()?;
     if let Some(stated) = stated {
         let scale = |key: &str, measure: Measure, per: f64| -> Res<Option<f64>> {
@@ -338,7 +358,10 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         answers.scales.1 = scale("force", Measure::Force, 1000.0)?;
     }
     for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
-        let asked = names.quantity(&entry.key, entry.at)?;
+        let asked = quantity(&names, &entry.key, entry.at, scene)?;
+        if is_blank(&entry.value) {
+            continue;
+        }
         let (mm, rounding) = plain(&entry.value, "a length in mm")?;
         let item = drawn(asked, mm, rounding, entry.at)?;
         answers.count(entry.at)?;
@@ -386,9 +409,53 @@ fn refuse_twice(before: &[Item], item: &Item, asked: &[Quantity]) -> Res<()> {
     Ok(())
 }
 
+/// Whether nothing was written.
+fn is_blank(value: &Value<'_>) -> bool {
+    match &value.kind {
+        Kind::Null => true,
+        Kind::Text(text) => text.trim().is_empty(),
+        _ => false,
+    }
+}
+
+/// A quantity by its name in scenes, or one that is asked as the sheet prints it: `V_B`, `v_B`, `ω₃`, `omega3`.
+pub(super) fn quantity(names: &Names<'_>, name: &str, at: usize, scene: &Scene) -> Res<Asked> {
+    names.quantity(name, at).or_else(|fault| {
+        let wanted = letters(name);
+        let mut meant: Vec<&Asked> = Vec::new();
+        for asked in &scene.mechanism.asked {
+            let symbol = letters(&crate::sheet::symbol(scene, asked.quantity).plain);
+            if symbol == wanted && meant.iter().all(|known| known.quantity != asked.quantity) {
+                meant.push(asked);
+            }
+        }
+        match meant[..] {
+            [one] => names.quantity(&one.name, at),
+            _ => Err(fault),
+        }
+    })
+}
+
+/// The letters and digits of a symbol, however its indices and Greek letters are written.
+fn letters(symbol: &str) -> String {
+    let mut plain = String::new();
+    for letter in symbol.chars() {
+        match letter {
+            'ω' | 'Ω' => plain.push_str("omega"),
+            'α' | 'ε' => plain.push_str("alpha"),
+            '₀'..='₉' => plain.extend(char::from_digit(letter as u32 - '₀' as u32, 10)),
+            'ⁿ' => plain.push('n'),
+            'ᵗ' => plain.push('t'),
+            'ᶜ' => plain.push('c'),
+            letter if letter.is_alphanumeric() => plain.extend(letter.to_lowercase()),
+            _ => {}
+        }
+    }
+    plain.replace("epsilon", "alpha")
+}
+
 /// One entry of `values`.
-fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
-    let asked = names.quantity(&entry.key, entry.at)?;
+fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Item> {
     match &entry.value.kind {
         Kind::List(_) => components(asked, &entry.value, None, entry.at, scales),
         Kind::Object(_) => {
@@ -519,7 +586,9 @@ pub(super) fn scalar(
     };
     let unit = stated.scale.unit();
     let rounding = last_place(value) / 2.0 * unit.si;
-    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Number, through: None, rounding, at })
+    let minus = si < 0.0 && is_rate(&quantity);
+    let asked = Asked { unit, ..asked };
+    Ok(Item { asked, given, form: Form::Number, minus, through: None, rounding, at })
 }
 
 /// A list of two components.
@@ -548,7 +617,8 @@ pub(super) fn vector(
     let unit: Unit = a.scale.unit();
     let rounding = last_place(x).max(last_place(y)) / 2.0 * unit.si;
     let given = Given::Vector([a.given.value, b.given.value]);
-    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Components, through: None, rounding, at })
+    let asked = Asked { unit, ..asked };
+    Ok(Item { asked, given, form: Form::Components, minus: false, through: None, rounding, at })
 }
 
 /// A length measured on the drawing.
@@ -561,7 +631,8 @@ pub(super) fn drawn(asked: Asked, mm: f64, rounding: f64, at: usize) -> Res<Item
         return Err(Fault::new(at, "a length on the drawing is not negative"));
     }
     on_paper(mm, at)?;
-    Ok(Item { asked, given: Given::Drawn(mm), form: Form::Paper, through: None, rounding, at })
+    let given = Given::Drawn(mm);
+    Ok(Item { asked, given, form: Form::Paper, minus: false, through: None, rounding, at })
 }
 
 /// A tolerance beyond it says nothing.
@@ -606,6 +677,11 @@ fn last_place(value: &Value<'_>) -> f64 {
 #[must_use]
 pub(super) fn is_vector(quantity: &Quantity) -> bool {
     matches!(quantity.nature(), Nature::Vector | Nature::Place)
+}
+
+/// Whether a number is an angular velocity or acceleration.
+fn is_rate(quantity: &Quantity) -> bool {
+    matches!(measure(quantity), Measure::AngularVelocity | Measure::AngularAcceleration)
 }
 
 /// Whether a number carries neither sign nor sense.

@@ -21,7 +21,7 @@ use crate::mechanism::cycle::{CycleQuantity, RotatingInertia};
 use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Answer, Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
 use crate::sheet::{HandedIn, Symbol};
@@ -104,6 +104,8 @@ pub(super) struct Case<'s> {
     pub(super) turns: Turns,
     /// Every quantity that was named, by its name in a scene.
     named: RefCell<BTreeMap<String, Quantity>>,
+    /// How far each fixed point stands from its place on the skeleton that was handed in, metres, where that is far.
+    pub(super) pivots: Vec<(PointId, [f64; 2])>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
     /// Whether the answers state tolerances that do not count.
@@ -281,6 +283,7 @@ impl<'s> Case<'s> {
             turned_by_hand: OnceCell::new(),
             turns: Turns::default(),
             named: RefCell::default(),
+            pivots: Vec::new(),
             by_parts: settings.by_parts,
             tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
         };
@@ -541,10 +544,7 @@ impl<'s> Case<'s> {
 
     /// SI units for a millimetre of what stands for a quantity on paper.
     pub(super) fn si_of(&self, quantity: &Quantity) -> f64 {
-        match (quantity, self.scales.paper().force) {
-            (Quantity::Force(force, _), Some(newtons)) if force.is_vector() => newtons,
-            _ => self.si_per_mm(quantity.order()),
-        }
+        self.ground.si_of(quantity)
     }
 
     /// The same of an answer.
@@ -567,7 +567,8 @@ impl<'s> Case<'s> {
                 let figure = figure_name(order);
                 let what = format!("the {figure} figure of this solution has no point `{name}`");
                 let mut names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
-                names.dedup();
+                let mut told = HashSet::new();
+                names.retain(|name| told.insert(*name));
                 names.truncate(16);
                 let mend = format!("its points are {}", names.join(", "));
                 return Err(GradeError::Answers(answers.complain(place, what, Some(mend))));
@@ -619,7 +620,16 @@ impl<'s> Case<'s> {
         for (name, at, target) in points {
             let (rank, quantity) = match target {
                 Target::Image(_, Label::Pole) => continue,
-                Target::Place(point) if self.mechanism.is_fixed(point) => continue,
+                Target::Place(point) if self.mechanism.is_fixed(point) => {
+                    if let Some(place) = self.right.construction.space.places[point.0] {
+                        let own = onto.right(at);
+                        let by = [own[0] - place[0], own[1] - place[1]];
+                        if size(&by) > ELSEWHERE {
+                            self.pivots.push((point, by.map(|mm| mm * si)));
+                        }
+                    }
+                    continue;
+                }
                 Target::Image(order, label) => (rank_of_label(&self.right.construction, order, label), None),
                 Target::Place(point) => {
                     let quantity = Quantity::Position(point);
@@ -652,11 +662,25 @@ impl<'s> Case<'s> {
             return Some(Laid { from: *pole, to: [0.0; 2], turn });
         }
         let places = &self.right.construction.space.places;
-        let (from, to) = found.iter().find_map(|(_, at, target)| match target {
-            Target::Place(point) if self.mechanism.is_fixed(*point) => Some((*at, places[point.0]?)),
+        let turn = self.turns.of_skeleton();
+        let laid = found.iter().filter_map(|(_, at, target)| match target {
+            Target::Place(point) if self.mechanism.is_fixed(*point) => {
+                Some(Laid { from: *at, to: places[point.0]?, turn })
+            }
             _ => None,
-        })?;
-        Some(Laid { from, to, turn: self.turns.of_skeleton() })
+        });
+        // By the fixed point about which most others are where they should be: one of them may stand elsewhere.
+        let near = |laid: &Laid| {
+            let off = |(_, at, target): &&(&str, [f64; 2], Target)| match target {
+                Target::Place(point) => places[point.0].is_some_and(|place| {
+                    let own = laid.right(*at);
+                    libm::hypot(own[0] - place[0], own[1] - place[1]) <= ELSEWHERE
+                }),
+                _ => false,
+            };
+            found.iter().filter(off).count()
+        };
+        laid.rev().max_by_key(near)
     }
 
     /// The points of a figure, by their names without primes and commas.
@@ -860,6 +884,12 @@ impl<'s> Case<'s> {
                     let place = asked.iter().position(|known| Quantity::Cycle(*known) == of)?;
                     numbers = vec![self.turned(&change, &asked).get(place).copied()??];
                 }
+                Misreading::Inverted { of } if observation.quantity == Some(of) => {
+                    numbers.iter_mut().for_each(|number| *number = 1.0 / *number);
+                }
+                Misreading::Rounded { of } if observation.quantity == Some(of) => {
+                    numbers = rounded(observation, &numbers);
+                }
                 Misreading::Plus { of, by } if observation.quantity == Some(of) => {
                     numbers.iter_mut().zip(by).for_each(|(number, by)| *number += by);
                 }
@@ -900,7 +930,7 @@ impl<'s> Case<'s> {
         }
         let Some(quantity) = observation.quantity else { return };
         if let Misreading::InRadians { of, how } = reading {
-            if of.includes(&quantity)
+            if self.includes(of, &quantity)
                 && let [x, y] = numbers
             {
                 let (length, angle) = (libm::hypot(*x, *y), how.spoilt(libm::atan2(*y, *x)));
@@ -921,7 +951,7 @@ impl<'s> Case<'s> {
             return;
         }
         if let Misreading::Mirrored { of, from_y } = reading {
-            if of.includes(&quantity)
+            if self.includes(of, &quantity)
                 && let [x, y] = numbers
             {
                 [*x, *y] = if from_y { [*y, *x] } else { [*x, -*y] };
@@ -930,6 +960,8 @@ impl<'s> Case<'s> {
         }
         let (of, twist) = match reading {
             Misreading::Twisted { of, twist } => (of, twist),
+            Misreading::OtherScale { .. } if observation.on_paper => return,
+            Misreading::OtherScale { of, factor } => (of, crate::graphical::Twist::scaled(factor)),
             Misreading::Unscaled { of, factor }
             | Misreading::Divided { of, factor }
             | Misreading::ScaledTwice { of, factor } => {
@@ -953,10 +985,12 @@ impl<'s> Case<'s> {
             | Misreading::MeasuredTo { .. }
             | Misreading::Backwards { .. }
             | Misreading::Plus { .. }
+            | Misreading::Inverted { .. }
+            | Misreading::Rounded { .. }
             | Misreading::Fluctuation { .. }
             | Misreading::InRadians { .. } => return,
         };
-        if !of.includes(&quantity) {
+        if !self.includes(of, &quantity) {
             return;
         }
         match numbers {
@@ -967,6 +1001,27 @@ impl<'s> Case<'s> {
             [value] => *value *= twist.factor,
             _ => {}
         }
+    }
+
+    /// Whether a quantity is among those that were misread: what is calculated from what is given is read off nothing.
+    pub(super) fn includes(&self, of: Which, quantity: &Quantity) -> bool {
+        let driven = |point: PointId| {
+            self.mechanism.inputs.iter().any(|input| match *input {
+                Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                    self.mechanism.link(link).points.contains(&point)
+                }
+                Input::Slide { .. } => false,
+            })
+        };
+        of.includes(quantity)
+            && match of {
+                Which::Read(_) => !self.ground.is_calculated(quantity),
+                Which::Found(_) => {
+                    let sum = matches!(*quantity, Quantity::Acceleration(point) if driven(point));
+                    !sum && !self.ground.is_calculated(quantity)
+                }
+                _ => true,
+            }
     }
 
     /// How much a change of readings alone multiplies each answer.
@@ -1125,7 +1180,7 @@ impl<'s> Case<'s> {
     pub(super) fn opposite(&self, index: usize) -> bool {
         let Given::Signed(given) = self.observations[index].given else { return false };
         match self.truth[index].as_deref() {
-            Some(&[right]) => (given + right).abs() <= self.rooms[index].by,
+            Some(&[right]) => (given + right).abs() <= self.accepted(index).by,
             _ => false,
         }
     }
@@ -1134,6 +1189,91 @@ impl<'s> Case<'s> {
     fn has_direction(&self, observation: &Observation) -> bool {
         let vector = |quantity: &Quantity| is_vector(quantity) && !tolerance::is_place(quantity);
         matches!(observation.target, Target::Asked(_)) && observation.quantity.as_ref().is_some_and(vector)
+    }
+
+    /// The right ω of every link of which one was answered, rad/s.
+    pub(super) fn rates_answered(&self) -> Vec<(LinkId, f64)> {
+        let right = |(observation, truth): (&Observation, &Option<Vec<f64>>)| match (
+            observation.quantity,
+            truth.as_deref(),
+        ) {
+            (Some(Quantity::Omega(link)), Some(&[omega])) => Some((link, omega)),
+            _ => None,
+        };
+        self.observations.iter().zip(&self.truth).filter_map(right).collect()
+    }
+
+    /// Whether a wrong answer is the right number in two figures.
+    pub(super) fn is_rounded(&self, quantity: &Quantity) -> bool {
+        self.observations.iter().enumerate().any(|(index, observation)| {
+            let Some(truth) =
+                self.truth[index].as_deref().filter(|_| observation.quantity == Some(*quantity))
+            else {
+                return false;
+            };
+            let [by, _] = self.misses(index, Some(&rounded(observation, truth)));
+            let components = observation.form == Form::Components || truth.len() == 1;
+            let whole = self.miss(index, Some(truth), self.accepted(index)) > 1.0;
+            whole
+                && !observation.on_paper
+                && by <= ROUNDING_OFF * size(truth)
+                && (components || by < size(truth))
+        })
+    }
+
+    /// By how much an answer may be off without costing its marks: what no careful hand can hold to the cap is not held to
+    /// it, for whoever asks was told.
+    pub(super) fn accepted(&self, index: usize) -> Room {
+        let allowance = self.allowances[index];
+        // A cap that is stricter than the usual one is meant as it is stated.
+        let usual = self.ground.standard().max_tolerance >= tolerance::MAX_TOLERANCE;
+        if allowance.loose && usual { allowance.free.or(allowance.room) } else { allowance.room }
+    }
+
+    /// Whether an answer that meets these numbers proves something: they are clear of nothing, or it is as near as a part of
+    /// them; what is a place or an angle is counted from an origin of no meaning.
+    pub(super) fn tells(&self, index: usize, numbers: &[f64], room: Room) -> bool {
+        let length = size(numbers);
+        if self.has_no_origin(index) || length > room.by {
+            return true;
+        }
+        // What is no more than the slip of a hand is met by calculation, not by reading.
+        self.meets(index, numbers)
+    }
+
+    /// Whether an answer is as near to numbers as a part of them, in magnitude.
+    pub(super) fn meets(&self, index: usize, numbers: &[f64]) -> bool {
+        let length = size(numbers);
+        let part = Room::of(self.ground.standard().max_tolerance * length);
+        length > 0.0 && self.miss(index, Some(numbers), part) <= 1.0
+    }
+
+    /// How large an answer is, SI.
+    fn given_size(&self, index: usize) -> f64 {
+        match self.observations[index].given {
+            Given::Magnitude(given) | Given::Drawn(given) | Given::Signed(given) => given.abs(),
+            Given::Vector(given) => size(&given),
+        }
+    }
+
+    /// Whether an answer is zero.
+    pub(super) fn is_zero(&self, index: usize) -> bool {
+        self.given_size(index) == 0.0
+    }
+
+    /// Whether zero means nothing for an answer: a place or an angle, or what is left when something is taken off.
+    fn has_no_origin(&self, index: usize) -> bool {
+        let observation = &self.observations[index];
+        let rest = Quantity::Cycle(CycleQuantity::Flywheel);
+        is_place(observation) || observation.quantity == Some(rest)
+    }
+
+    /// Whether an answer is nothing for the hand where the right one is not.
+    pub(super) fn hands_in_nothing(&self, index: usize) -> bool {
+        let given = self.given_size(index);
+        let nothing = |length: f64| length <= self.rooms[index].by;
+        let right = self.truth[index].as_deref().map_or(0.0, size);
+        !self.has_no_origin(index) && nothing(given) && !nothing(right)
     }
 
     /// How far an answer is from what would be seen, in rooms.
@@ -1162,6 +1302,28 @@ impl<'s> Case<'s> {
                 [(given[0] - x).abs().max((given[1] - y).abs()), 0.0]
             }
             (Given::Vector(given), _) => [apart(&given), 0.0],
+        }
+    }
+}
+
+/// Numbers of an answer as they are in two figures of its unit: the magnitude of what has a direction, each component, or
+/// the number itself.
+fn rounded(observation: &Observation, numbers: &[f64]) -> Vec<f64> {
+    let si = observation.unit.si;
+    let two_figures = |number: f64| {
+        let own = number / si;
+        if own == 0.0 || !own.is_finite() {
+            return number;
+        }
+        let place = libm::pow(10.0, libm::floor(libm::log10(own.abs())) - 1.0);
+        libm::round(own / place) * place * si
+    };
+    match (observation.form, numbers) {
+        (Form::Components, _) | (_, [_]) => numbers.iter().map(|number| two_figures(*number)).collect(),
+        _ => {
+            let length = size(numbers);
+            let factor = if length > 0.0 { two_figures(length) / length } else { 1.0 };
+            numbers.iter().map(|number| factor * number).collect()
         }
     }
 }
@@ -1293,6 +1455,9 @@ const UNSEEN: f64 = 1e-6;
 /// Two points of the right solution that lie nearer to each other (mm) may have one mark.
 const ONE_POINT: f64 = 1.0;
 
+/// A fixed point that stands farther from its place than this (mm) is drawn elsewhere.
+const ELSEWHERE: f64 = 1.2;
+
 /// A vector that is longer on paper (mm) is not drawn beside the right one.
 const FARTHEST: f64 = 400.0;
 
@@ -1304,6 +1469,8 @@ const TELLS: f64 = 0.5;
 const ROUNDED: f64 = 0.01;
 /// What is lost in the conversion of units, as a part of the value.
 const ROUNDING: f64 = 1e-9;
+/// Two numbers in two figures that differ by less than this part are one.
+const ROUNDING_OFF: f64 = 1e-6;
 
 /// The direction of a line of the skeleton; `None` where it is not drawn.
 pub(super) fn direction(construction: &Construction, of: Reference) -> Option<[f64; 2]> {
@@ -1392,7 +1559,13 @@ pub(super) fn polygon(
 /// A point's name without primes, commas and blanks; in polygons in small letters.
 fn plain_name(name: &str, order: Order) -> String {
     let plain = name.chars().filter(|c| !matches!(c, '\'' | '′' | '’' | ',' | '_' | ' '));
-    let plain: String = plain.collect();
+    // Indices as reports print them.
+    let plain: String = plain
+        .map(|c| match c {
+            '₀'..='₉' => char::from_digit(c as u32 - '₀' as u32, 10).unwrap_or(c),
+            _ => c,
+        })
+        .collect();
     if order == Order::Position { plain } else { plain.to_lowercase() }
 }
 
@@ -1496,5 +1669,6 @@ fn rank_of_label(construction: &Construction, order: Order, label: Label) -> (Or
         Act::MarkMeet { label: met, .. } => met == label,
         _ => false,
     });
-    (order, step, act.unwrap_or(0))
+    // An image by proportion is found when those from which it is divided off are.
+    (order, step, act.unwrap_or(acts.len()))
 }

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use crate::given::Given;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::force::{Inertia, SpringKind, SpringLaw};
+use crate::mechanism::force::{Inertia, LoadKind, Pressure, Size, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
-use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, Roll};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Roll};
 
 /// All that one mistake, or several together, change.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -43,6 +43,10 @@ pub(super) enum InputChange {
     Length { link: LinkId, ends: [usize; 2], factor: f64 },
     /// Every length is multiplied; the given speeds of points and slides as well, or not.
     Lengths { factor: f64, speeds: bool },
+    /// A fixed point stands so far from its place, metres.
+    Pivot { point: PointId, by: [f64; 2] },
+    /// A load, by its index, is multiplied.
+    Load { index: usize, factor: f64 },
     /// The period of the turning-moment diagram is multiplied.
     Period(f64),
     /// The wanted fluctuation of speed is multiplied.
@@ -58,6 +62,8 @@ pub(super) enum Misreading {
     Mirrored { of: Which, from_y: bool },
     /// The length on paper was written down as a number of the answer's unit, times this.
     Unscaled { of: Which, factor: f64 },
+    /// The length on paper was multiplied by a scale that is so many times the right one; the length itself is right.
+    OtherScale { of: Which, factor: f64 },
     /// The length on paper was divided by the scale (in units of the answer per millimetre), times this.
     Divided { of: Which, factor: f64 },
     /// The value was multiplied by the scale (in units of the answer per millimetre) once more, times this.
@@ -76,6 +82,10 @@ pub(super) enum Misreading {
     Backwards { of: Quantity, from: Label },
     /// Directions went through a calculator that computes in radians.
     InRadians { of: Which, how: InRadians },
+    /// The number was handed in the other way up.
+    Inverted { of: Quantity },
+    /// It was rounded to two figures of the unit in which it is handed in.
+    Rounded { of: Quantity },
     /// Another vector was added to it, SI.
     Plus { of: Quantity, by: [f64; 2] },
     /// The fluctuation of energy is multiplied, and with it what is reckoned from it beside this inertia, kg m².
@@ -112,6 +122,8 @@ pub(super) enum Which {
     AllLinear,
     /// The vectors of a polygon that are read off it, and not calculated before they are laid off.
     Read(Order),
+    /// Of these what is not the sum of two parts that are given.
+    Found(Order),
     /// All angular velocities.
     Omegas,
 }
@@ -157,6 +169,18 @@ impl Change {
                 InputChange::Angle { input, by } => turn(mechanism.to_mut(), input, by),
                 InputChange::Length { link, ends, factor } => stretch(mechanism.to_mut(), link, ends, factor),
                 InputChange::Lengths { factor, speeds } => enlarge(mechanism.to_mut(), factor, speeds),
+                InputChange::Pivot { point, by } => {
+                    if let Some(Place::Fixed(at)) =
+                        mechanism.to_mut().points.get_mut(point.0).map(|point| &mut point.place)
+                    {
+                        *at = [0, 1].map(|axis| Given::exact(at[axis].value + by[axis]));
+                    }
+                }
+                InputChange::Load { index, factor } => {
+                    if let Some(load) = mechanism.to_mut().forces.loads.get_mut(index) {
+                        enlarge_load(&mut load.kind, factor);
+                    }
+                }
                 InputChange::Period(factor) => {
                     if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
                         cycle.period = cycle.period.times(factor);
@@ -193,6 +217,18 @@ fn turn(mechanism: &mut Mechanism, input: usize, by: f64) {
         mechanism.inputs.get_mut(input)
     {
         *angle = Given::exact(angle.value + by);
+    }
+}
+
+/// A load that is larger; one that follows a curve stays as it is.
+fn enlarge_load(kind: &mut LoadKind, factor: f64) {
+    let grow = |given: &mut Given| *given = given.times(factor);
+    match kind {
+        LoadKind::Force { size, .. } | LoadKind::Torque { size, .. } => match size {
+            Size::Given(given) | Size::Pressure { pressure: Pressure::Given(given), .. } => grow(given),
+            _ => {}
+        },
+        LoadKind::Vector { parts, .. } => parts.iter_mut().for_each(grow),
     }
 }
 
@@ -311,7 +347,7 @@ impl Which {
             Self::Vectors(order) => vector && quantity.order() == order,
             Self::AllVectors => vector,
             Self::AllLinear => vector || matches!(quantity, Quantity::Rub(..)),
-            Self::Read(order) => {
+            Self::Read(order) | Self::Found(order) => {
                 let calculated = matches!(
                     quantity,
                     Quantity::RelativeNormal(..)

@@ -60,11 +60,11 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
 /// One line per hand-in: marks, the first fault, the verdict on each answer.
 #[must_use]
 pub fn class_csv(class: &[HandIn]) -> String {
-    let mut names: Vec<&str> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
     let reports = || class.iter().filter_map(|one| one.outcome.as_ref().ok());
     for report in reports() {
         let own = report.quantities.iter().map(|graded| graded.name.as_str());
-        for name in own.chain(report.missing.iter().map(|(name, _)| name.as_str())) {
+        for name in own.chain(report.missing.iter().map(|(name, _)| name.as_str())).map(column) {
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -95,8 +95,8 @@ pub fn class_csv(class: &[HandIn]) -> String {
                 fields.push(field(report.student.as_deref().unwrap_or("")));
                 fields.extend([marks(reached), marks(of), percent, field(first), field(&mistake)]);
                 fields.extend(names.iter().map(|name| {
-                    let graded = report.quantities.iter().find(|graded| graded.name == *name);
-                    let missing = report.missing.iter().any(|(missing, _)| missing == name);
+                    let graded = report.quantities.iter().find(|graded| column(&graded.name) == *name);
+                    let missing = report.missing.iter().any(|(missing, _)| column(missing) == *name);
                     graded.map_or(if missing { "missing" } else { "" }, |g| g.verdict.name()).to_owned()
                 }));
             }
@@ -105,6 +105,17 @@ pub fn class_csv(class: &[HandIn]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The column of an answer: a point of a figure has one, with whatever primes and strokes somebody writes its letter.
+fn column(name: &str) -> String {
+    match name.split_once(':') {
+        Some((figure, point)) => {
+            let plain = point.chars().filter(|c| !matches!(c, '\'' | '′' | '’' | ',' | '_' | ' '));
+            format!("{figure}:{}", plain.collect::<String>())
+        }
+        None => name.to_owned(),
+    }
 }
 
 /// The faults of a class as a table.

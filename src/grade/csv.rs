@@ -1,6 +1,8 @@
 //! Answers as CSV: one row per quantity, or one row per point.
 
-use super::answers::{Answers, FigurePoints, directed, drawn, on_paper, order_of, scalar, turned, vector};
+use super::answers::{
+    Answers, FigurePoints, directed, drawn, on_paper, order_of, quantity as asked_by, scalar, turned, vector,
+};
 use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_sense};
 use crate::limits;
 use crate::mechanism::quantity::{Order, Quantity};
@@ -23,7 +25,8 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
     let scales = Scales::read(None, Some(&scene.units))?;
     let names = Names::new(&scene.mechanism, &scales);
     let mut columns: Option<Vec<String>> = None;
-    for row in rows(text)? {
+    // Spreadsheets end with rows of empty fields.
+    for row in rows(text)?.into_iter().filter(|row| row.iter().any(|(text, _)| !text.is_empty())) {
         let first = row.first().map_or(0, |(_, at)| *at);
         if let Some(header) = header(&row)? {
             columns = Some(header);
@@ -60,18 +63,19 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
             |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
         // A box that was left empty: not answered.
         if columns.iter().any(|c| c == "quantity") && ["value", "x", "y"].iter().all(|c| field(c).is_none()) {
-            names.quantity(&need("quantity")?.0, first)?;
+            asked_by(&names, &need("quantity")?.0, first, scene)?;
             if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
                 return Err(Fault::new(*at, "this row has no `value`"));
             }
             continue;
         }
         if columns.iter().any(|c| c == "quantity") {
-            quantity(&need, &field, &names, &scales, &mut answers)?;
+            quantity(&need, &field, (&names, scene), &scales, &mut answers)?;
         } else {
             point(&need, &mut answers)?;
         }
     }
+    answers.take_plus_for_a_sense();
     Ok(answers)
 }
 
@@ -96,12 +100,12 @@ fn header(row: &Row) -> Res<Option<Vec<String>>> {
 fn quantity<'r>(
     need: &impl Fn(&str) -> Res<&'r (String, usize)>,
     field: &impl Fn(&str) -> Option<&'r (String, usize)>,
-    names: &Names<'_>,
+    (names, scene): (&Names<'_>, &Scene),
     scales: &Scales,
     answers: &mut Answers,
 ) -> Res<()> {
     let (name, at) = need("quantity")?;
-    let asked = names.quantity(name, *at)?;
+    let asked = asked_by(names, name, *at, scene)?;
     let unit = field("unit");
     if let (None, Some(x), Some(y)) = (field("value"), field("x"), field("y")) {
         let [x, y] = [x, y].map(|(text, at)| Value { at: *at, kind: Kind::Text(text.clone()) });
@@ -192,7 +196,8 @@ fn rows(text: &str) -> Res<Vec<Row>> {
         let line = line.trim_start_matches('\u{feff}').trim_start().to_lowercase();
         line.starts_with("quantity") || line.starts_with("figure")
     };
-    let parted = text.lines().find(is_header).is_some_and(|line| line.contains(';') && !line.contains(','));
+    let header = text.lines().find(is_header).unwrap_or_default();
+    let parted = header.contains([';', '\t']) && !header.contains(',');
     for line in text.split_inclusive('\n') {
         let content = line.trim_end_matches(['\n', '\r']);
         if !content.trim().trim_start_matches('\u{feff}').is_empty() && !content.trim_start().starts_with('#')
@@ -229,7 +234,7 @@ fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
             '"' => quoted = !quoted,
             '(' if !quoted => depth += 1,
             ')' if !quoted => depth -= 1,
-            ',' | ';' if !quoted && depth <= 0 && (sign == ';' || !parted) => {
+            ',' | ';' | '\t' if !quoted && depth <= 0 && (sign != ',' || !parted) => {
                 parts += 1;
                 // Nothing is kept of a line that is no row.
                 if parts > MOST_FIELDS {

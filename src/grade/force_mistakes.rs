@@ -8,7 +8,7 @@ use super::mistakes::{List, PLAIN, apart, one_of};
 use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::cycle::{CycleQuantity, Sides};
-use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Party, Share};
+use crate::mechanism::force::{Action, Force, Heaviness, Inertia, LoadKind, Party, Share, Size};
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, PointId, Slide};
@@ -32,6 +32,7 @@ impl List<'_, '_> {
         self.weights_and_masses();
         self.all_weights();
         self.loads_elsewhere(sheet);
+        self.loads_calculated();
         self.parallel_axes();
         self.left_out(sheet);
         self.handed_on_reversed(sheet);
@@ -167,6 +168,24 @@ impl List<'_, '_> {
         for (kind, factor) in [(Kind::ForceLeftOut, 0.0), (Kind::SenseReversed, -1.0)] {
             let all = Departure::Weight { link: None, factor };
             self.add(kind, "every weight", None, PLAIN, Change::drawn(vec![all]));
+        }
+    }
+
+    /// A force of a pressure, calculated with the bore as a radius or with a unit that is off by a power of ten.
+    fn loads_calculated(&mut self) {
+        let loads = self.case.mechanism.forces.loads.clone();
+        for (index, load) in loads.iter().enumerate() {
+            let LoadKind::Force { size: Size::Pressure { .. }, .. } = load.kind else { continue };
+            let name = self.force_name(Force::Vector(Action::Load(index)));
+            for factor in [4.0, 0.25] {
+                let change = Change::of_inputs(InputChange::Load { index, factor });
+                self.add(Kind::DiameterForRadius, &name, None, PLAIN, change);
+            }
+            for factor in [10.0, 0.1, 100.0, 0.01, 1000.0, 0.001] {
+                let change = Change::of_inputs(InputChange::Load { index, factor });
+                let how = format!("a unit is off by {}", if factor > 1.0 { factor } else { 1.0 / factor });
+                self.add_so((Kind::LoadWrong, how), &name, None, 0.5, change);
+            }
         }
     }
 
@@ -559,11 +578,43 @@ impl List<'_, '_> {
 
     // --- the turning-moment diagram ------------------------------------------------------------
 
+    /// Every area of the diagram with its angles in degrees, and the numbers that are reckoned from areas.
+    fn areas_of_diagram(&mut self) {
+        let all: Vec<Quantity> = self
+            .observed()
+            .into_iter()
+            .filter(|quantity| matches!(quantity, Quantity::Cycle(of) if is_energy(*of)))
+            .collect();
+        let turned = |of: &[Quantity]| {
+            let twist = Twist::scaled(180.0 / std::f64::consts::PI);
+            let readings = of.iter().map(|&of| Misreading::Twisted { of: Which::One(of), twist });
+            Change { readings: readings.collect(), ..Change::default() }
+        };
+        let mean = |of: &Quantity| {
+            matches!(of, Quantity::Cycle(CycleQuantity::Mean | CycleQuantity::Power | CycleQuantity::Work))
+        };
+        let levels: Vec<Quantity> = all.iter().copied().filter(|of| !mean(of)).collect();
+        for group in [&all, &levels] {
+            if !group.is_empty() {
+                self.add(Kind::DegAsRad, "the areas of the diagram", None, PLAIN, turned(group));
+            }
+        }
+    }
+
     pub(super) fn turning_moments(&mut self) {
         let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
         let turn = 2.0 * std::f64::consts::PI;
         let period = cycle.period.value;
         let areas = matches!(cycle.sides, Sides::Areas { .. });
+        if (period / turn - 1.0).abs() > 1e-9 && (period / turn - 2.0).abs() > 1e-9 {
+            // A period that is a part of a turn taken for a whole one.
+            let means = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
+                of: Which::One(Quantity::Cycle(of)),
+                twist: Twist::scaled(period / turn),
+            });
+            let read = Change { readings: means.to_vec(), ..Change::default() };
+            self.add_so((Kind::OneTurnForTwo, "a whole turn".to_owned()), "the period", None, PLAIN, read);
+        }
         if (period / turn - 2.0).abs() < 1e-9 {
             let at = "the period";
             self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
@@ -574,6 +625,8 @@ impl List<'_, '_> {
             let read = Change { readings: means.to_vec(), ..Change::default() };
             self.add(Kind::OneTurnForTwo, at, None, 0.5, read);
         }
+        self.areas_of_diagram();
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
         if cycle.fluctuation.is_some() {
             let half = Change::of_inputs(InputChange::Fluctuation(0.5));
             self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, half);
@@ -598,6 +651,23 @@ impl List<'_, '_> {
             }
         }
     }
+}
+
+/// Whether a number of a turning-moment diagram is an area of it, or a part of one.
+fn is_energy(of: CycleQuantity) -> bool {
+    !of.is_angle()
+        && matches!(
+            of,
+            CycleQuantity::Work
+                | CycleQuantity::Mean
+                | CycleQuantity::Power
+                | CycleQuantity::Area(_)
+                | CycleQuantity::Level(_)
+                | CycleQuantity::Highest
+                | CycleQuantity::Lowest
+                | CycleQuantity::Fluctuation
+                | CycleQuantity::OfSpeed
+        )
 }
 
 /// Whether two actions are one force, or a force and its reaction.

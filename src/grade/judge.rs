@@ -7,7 +7,7 @@
 
 use super::answers::Given;
 use super::case::{Case, Observation, Room, Target, WIDE, size};
-use super::change::{Change, Misreading, Which};
+use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
 use super::routes;
@@ -64,6 +64,13 @@ pub(super) struct Fault {
     pub(super) mistakes: Vec<Mistake>,
 }
 
+impl Fault {
+    /// Whether what explains it leaves something out, so that other numbers may rightly be nothing.
+    fn leaves_out(&self) -> bool {
+        self.mistakes.first().is_some_and(|mistake| mistake.parts().any(|part| part.kind.leaves_out()))
+    }
+}
+
 /// All that was found.
 #[derive(Debug, Clone)]
 pub(super) struct Judgement {
@@ -102,6 +109,9 @@ const PAIRED: usize = 6;
 /// What a second mistake costs.
 const SECOND: f64 = 8.0;
 
+/// What it costs that a number was handed in of what is said to be left out.
+const NOT_LEFT_OUT: f64 = 3.0;
+
 /// How much nearer a mistake is that is made at the answer that shows it.
 const AT_HAND: f64 = 0.25;
 
@@ -126,7 +136,8 @@ struct Tried {
 
 pub(super) fn judge(case: &Case<'_>) -> Judgement {
     let count = case.observations.len();
-    let right: Vec<f64> = (0..count).map(|i| case.miss(i, case.truth[i].as_deref(), case.rooms[i])).collect();
+    let right: Vec<f64> =
+        (0..count).map(|i| case.miss(i, case.truth[i].as_deref(), case.accepted(i))).collect();
     let mut verdicts: Vec<Option<Verdict>> = (0..count)
         .map(|i| match (&case.truth[i], right[i] <= 1.0) {
             (None, _) => Some(Verdict::NotChecked),
@@ -160,7 +171,9 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let Some(numbers) = seen[index].as_deref() else { continue };
             let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(case.most(index, numbers));
-            if verdict.is_none() && case.miss(index, Some(numbers), allowed) <= 1.0 {
+            let left_out = faults.last().is_some_and(Fault::leaves_out);
+            let tells = left_out || case.tells(index, numbers, allowed);
+            if verdict.is_none() && tells && case.miss(index, Some(numbers), allowed) <= 1.0 {
                 *verdict = Some(Verdict::Consistent);
                 caused[index] = faults.len().checked_sub(1);
             }
@@ -197,7 +210,8 @@ impl Judge<'_, '_> {
         // Two mistakes fit any one number: there must be more to be explained.
         let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
         let mut two = false;
-        if tried.is_empty() && open > 1 {
+        // Nor does any one number that is nothing.
+        if tried.is_empty() && open > 1 && !self.case.hands_in_nothing(self.first) {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
         }
@@ -289,6 +303,8 @@ impl Judge<'_, '_> {
     /// first.
     fn tried(&self, base: &Sketch, hypotheses: &[Hypothesis], before: &Change) -> Vec<Tried> {
         let mut tried: Vec<Tried> = Vec::new();
+        let before_it = self.case.seen(base, before);
+        let nothing = self.case.hands_in_nothing(self.first);
         for hypothesis in hypotheses {
             let change = before.and(&hypothesis.change);
             let sketch = if hypothesis.change.redraws() { self.case.drawn(&change, None) } else { None };
@@ -305,8 +321,19 @@ impl Judge<'_, '_> {
                     Room { by: room.by * if larger.is_finite() { larger } else { 1.0 }, ..room }
                 })
                 .collect();
+            // What is nothing for the hand is explained by what is left out, and by no factor.
+            let tells = seen[self.first].as_deref().is_none_or(|numbers| {
+                hypothesis.kind.leaves_out()
+                    || match nothing {
+                        true => self.case.meets(self.first, numbers),
+                        false => self.case.tells(self.first, numbers, rooms[self.first]),
+                    }
+            });
             let tried_one = self.counted(hypothesis.clone(), change, &seen, &rooms);
-            if tried_one.misses[self.first] <= 2.0 * EXPLAINED {
+            if tells
+                && tried_one.misses[self.first] <= 2.0 * EXPLAINED
+                && !self.acquitted(&tried_one, &before_it)
+            {
                 tried.push(tried_one);
             }
         }
@@ -329,6 +356,16 @@ impl Judge<'_, '_> {
         }
         weighed.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         weighed
+    }
+
+    /// Whether a mistake is said to be made at an answer that is right, and that it would change: `before` is what is seen
+    /// without it.
+    fn acquitted(&self, tried: &Tried, before: &[Option<Vec<f64>>]) -> bool {
+        let all = self.case.observations.iter().enumerate();
+        all.filter(|(_, observation)| observation.name == tried.hypothesis.at).any(|(index, _)| {
+            let was = self.case.miss(index, before[index].as_deref(), self.case.rooms[index]);
+            self.verdicts[index] == Some(Verdict::Right) && (tried.misses[index] - was).abs() > MOVES
+        })
     }
 
     /// Counts how badly a hypothesis fits: as the logarithm of how likely the answers are, if it is true.
@@ -354,6 +391,11 @@ impl Judge<'_, '_> {
             let counted = square(miss).min(square(miss * wider));
             let counted = if counted.is_finite() { counted.min(MOST) } else { MOST };
             cost += counted;
+            // Whoever hands in a number did not leave it out.
+            let left_out = hypothesis.kind.leaves_out() && numbers.as_deref().is_some_and(|n| size(n) == 0.0);
+            if left_out && hypothesis.at == self.case.observations[index].name && !self.case.is_zero(index) {
+                cost += NOT_LEFT_OUT;
+            }
             if index == self.first {
                 cost_here = counted;
                 // Where much more is allowed than of the right drawing, a fit says less.
@@ -431,7 +473,11 @@ impl Judge<'_, '_> {
         let seen = self.case.seen(base, self.drawn);
         let observation = &self.case.observations[self.first];
         let before = seen[self.first].as_deref();
-        let mut ways = own_values(self.case, base, observation, before);
+        // Nothing goes on from a value that is nothing.
+        let mut ways = match self.case.hands_in_nothing(self.first) {
+            true => Vec::new(),
+            false => own_values(self.case, base, observation, before),
+        };
         ways.push(Change::default());
         let mut best: Option<Tried> = None;
         for way in ways {
@@ -618,6 +664,12 @@ fn own_quantity(
                 let at = [vector.from[0] + x / si, vector.from[1] + y / si];
                 ways.push(Change::drawn(vec![Departure::Image { order, point: b, at }]));
             }
+        }
+        (Quantity::Force(Force::Vector(Action::Load(index)), _), _)
+        | (Quantity::Force(Force::LoadTorque(index), _), _)
+            if factor > 0.0 =>
+        {
+            ways.push(Change::of_inputs(InputChange::Load { index, factor }));
         }
         (Quantity::Force(force, Share::Total), vector) => {
             ways.extend(own_force(force, vector, (factor, twist)))

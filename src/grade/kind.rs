@@ -125,11 +125,21 @@ pub enum Kind {
     LoadElsewhere,
     /// A moment of inertia about another point than the mass centre.
     ParallelAxis,
+    /// A ratio was handed in the other way up.
+    RatioInverted,
+    /// A number is right as far as it was written, in two figures.
+    RoundedCoarsely,
+    /// A diameter was used for a radius, or the other way round.
+    DiameterForRadius,
+    /// A fixed pivot stands elsewhere on the skeleton.
+    PivotMisplaced,
+    /// A load was calculated wrongly from what is given.
+    LoadWrong,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 61] = [
+    pub const ALL: [Self; 66] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -191,7 +201,26 @@ impl Kind {
         Self::FrictionLeftOut,
         Self::LoadElsewhere,
         Self::ParallelAxis,
+        Self::RatioInverted,
+        Self::RoundedCoarsely,
+        Self::DiameterForRadius,
+        Self::PivotMisplaced,
+        Self::LoadWrong,
     ];
+
+    /// Whether something is left out by it, which is then nothing.
+    pub(super) fn leaves_out(self) -> bool {
+        matches!(
+            self,
+            Self::NormalMissing
+                | Self::CoriolisMissing
+                | Self::AlphaIgnored
+                | Self::ForceLeftOut
+                | Self::StaticLeftOut
+                | Self::InertiaLeftOut
+                | Self::FrictionLeftOut
+        )
+    }
 
     /// Its name in a report.
     #[must_use]
@@ -258,6 +287,11 @@ impl Kind {
             Self::FrictionLeftOut => "friction-left-out",
             Self::LoadElsewhere => "load-elsewhere",
             Self::ParallelAxis => "parallel-axis",
+            Self::RatioInverted => "ratio-inverted",
+            Self::RoundedCoarsely => "rounded-coarsely",
+            Self::DiameterForRadius => "diameter-for-radius",
+            Self::PivotMisplaced => "pivot-misplaced",
+            Self::LoadWrong => "load-wrong",
         }
     }
 }

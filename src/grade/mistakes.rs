@@ -54,6 +54,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.units();
     list.calculator();
     list.skeleton();
+    list.written_otherwise();
     list.directions();
     list.degrees();
     if let Some(sheet) = case.bodies(drawn) {
@@ -235,6 +236,71 @@ impl<'c> List<'c, '_> {
             self.drawn_at_another_angle(point, at);
             self.drawn_too_long(point, at);
         }
+        for &(point, by) in &self.case.pivots {
+            let name = self.case.mechanism.point(point).name.clone();
+            let change = Change::of_inputs(InputChange::Pivot { point, by });
+            self.add(Kind::PivotMisplaced, &name, None, PLAIN, change);
+        }
+    }
+
+    /// Numbers that were written down the other way up, or in two figures only, and a rubbing speed with another ω or
+    /// arm than its own.
+    fn written_otherwise(&mut self) {
+        for quantity in self.observed() {
+            let name = self.name(&quantity);
+            let read = |list: &mut Self, kind: Kind, price: f64, misreading: Misreading| {
+                list.add(kind, &name, None, price, Change::read(misreading));
+            };
+            let twist =
+                |factor: f64| Misreading::Twisted { of: Which::One(quantity), twist: Twist::scaled(factor) };
+            if self.case.is_rounded(&quantity) {
+                read(self, Kind::RoundedCoarsely, PLAIN, Misreading::Rounded { of: quantity });
+            }
+            match quantity {
+                Quantity::Ratio(..) | Quantity::Advantage(..) => {
+                    read(self, Kind::RatioInverted, PLAIN, Misreading::Inverted { of: quantity });
+                }
+                Quantity::Omega(link) => {
+                    // l / V for V / l, and the arms of the common centre of two links exchanged.
+                    read(self, Kind::RatioInverted, UNUSUAL, Misreading::Inverted { of: quantity });
+                    let mut omegas = self.omegas();
+                    omegas.extend(self.case.rates_answered());
+                    let Some(&(_, own)) = omegas.iter().find(|(of, own)| *of == link && *own != 0.0) else {
+                        continue;
+                    };
+                    let price = 1.0 + one_of(omegas.len()) / 2.0;
+                    for &(_, other) in omegas.iter().filter(|(of, _)| *of != link) {
+                        let factor = (other / own) * (other / own);
+                        read(self, Kind::RatioInverted, price, twist(factor));
+                    }
+                }
+                Quantity::Rub(_, i, j) => {
+                    for factor in [2.0, 0.5] {
+                        read(self, Kind::DiameterForRadius, PLAIN, twist(factor));
+                    }
+                    let omegas = self.omegas();
+                    let of = |link: LinkId| match link {
+                        LinkId::FRAME => Some(0.0),
+                        _ => omegas.iter().find(|(of, _)| *of == link).map(|(_, omega)| *omega),
+                    };
+                    if let (Some(a), Some(b)) = (of(i), of(j))
+                        && a != b
+                    {
+                        let ways = [
+                            ("the sum of both ω for their difference", (a + b) / (a - b)),
+                            ("one ω alone", a / (a - b)),
+                            ("one ω alone", b / (a - b)),
+                        ];
+                        for (how, factor) in ways {
+                            let kind = (Kind::SenseReversed, how.to_owned());
+                            let change = Change::read(twist(factor.abs()));
+                            self.add_so(kind, &name, None, 0.5, change);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
     }
 
     /// A point of the driven link stands at another angle about its pivot.
@@ -409,6 +475,24 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// The vectors of a polygon: all, those that are read off it and not calculated before, and of these those that are no
+    /// sum of given parts; as far as that are others among the answers.
+    fn whole_figures(&self) -> Vec<(Which, Order, &'static str)> {
+        let mut scopes: Vec<(Which, Order, &'static str)> = Vec::new();
+        for (order, at) in [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")] {
+            let mut known: Vec<Vec<Quantity>> = Vec::new();
+            for of in [Which::Vectors(order), Which::Read(order), Which::Found(order)] {
+                let mut among = self.observed();
+                among.retain(|quantity| self.case.includes(of, quantity));
+                if !known.contains(&among) {
+                    known.push(among);
+                    scopes.push((of, order, at));
+                }
+            }
+        }
+        scopes
+    }
+
     /// A diagram, or the lengths that are measured on the skeleton, with another scale factor than the drawing's.
     fn wrong_scales(&mut self) {
         let mut measured: Vec<[PointId; 2]> = Vec::new();
@@ -426,13 +510,8 @@ impl<'c> List<'c, '_> {
                 format!("read {} times too small", 1.0 / factor)
             };
             let kind = || (Kind::ScaleWrong, how.clone());
-            let scopes = [
-                (Which::Vectors(Order::Velocity), Order::Velocity, "the velocities"),
-                (Which::Vectors(Order::Acceleration), Order::Acceleration, "the accelerations"),
-                (Which::Read(Order::Acceleration), Order::Acceleration, "the accelerations"),
-            ];
-            for (of, order, at) in scopes {
-                let read = Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
+            for (of, order, at) in self.whole_figures() {
+                let read = Change::read(Misreading::OtherScale { of, factor });
                 self.add_so(kind(), at, None, price, read.clone());
                 // Points of the figure that were converted by the same scale.
                 let figure = Change::read(Misreading::Enlarged { order, factor });
@@ -449,7 +528,7 @@ impl<'c> List<'c, '_> {
                 }
             }
             // All that was handed in, read by one wrong scale: nothing is calculated from it on the way.
-            let all = [Misreading::Twisted { of: Which::AllVectors, twist: Twist::scaled(factor) }];
+            let all = [Misreading::OtherScale { of: Which::AllVectors, factor }];
             let rates = self
                 .rates_from(Which::AllVectors)
                 .into_iter()
@@ -618,7 +697,7 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::AlphaIgnored, &quantity, step, 1.0, Twist::scaled(0.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                     if value > 0.0 {
-                        let price = one_of(lengths.len());
+                        let price = 0.25 + one_of(lengths.len()) / 3.0;
                         for &other in &lengths {
                             let twist = Twist::scaled(other / length);
                             self.twisted(Kind::TangentialWrongLength, &quantity, step, price, twist);
@@ -909,7 +988,7 @@ impl<'c> List<'c, '_> {
                     if matches!(quantity, Quantity::RelativeTangential(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
-                    let price = one_of(lengths.len());
+                    let price = 0.25 + one_of(lengths.len()) / 3.0;
                     for &other in &lengths {
                         let change = Change::drawn(vec![rate(length / other)]);
                         self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
@@ -1116,14 +1195,16 @@ impl<'c> List<'c, '_> {
 
     /// Scale factors forgotten or inverted: of one answer, of a polygon, of all.
     fn scales(&mut self) {
-        let mut scopes: Vec<(Which, String, f64)> = vec![
-            (Which::Vectors(Order::Velocity), "the velocities".to_owned(), PLAIN),
-            (Which::Vectors(Order::Acceleration), "the accelerations".to_owned(), PLAIN),
-            (Which::AllVectors, "every reading".to_owned(), 1.0),
-        ];
+        let figures = self.whole_figures().into_iter();
+        let mut scopes: Vec<(Which, String, f64)> = figures
+            .map(|(of, _, at)| (of, at.to_owned(), PLAIN))
+            .chain([(Which::AllVectors, "every reading".to_owned(), 1.0)])
+            .collect();
         for quantity in self.read() {
             if super::answers::is_vector(&quantity) {
-                scopes.push((Which::One(quantity), self.name(&quantity), PLAIN));
+                // A reading that nobody sees is the less likely one.
+                let price = if self.observed().contains(&quantity) { PLAIN } else { UNSEEN };
+                scopes.push((Which::One(quantity), self.name(&quantity), price));
             }
         }
         for (of, at, price) in scopes {
@@ -1178,7 +1259,7 @@ impl<'c> List<'c, '_> {
             Which::One(quantity) => {
                 vec![Departure::Read { quantity, factor: factor_of(quantity.order()) }]
             }
-            Which::Vectors(order) | Which::Read(order) => {
+            Which::Vectors(order) | Which::Read(order) | Which::Found(order) => {
                 vec![Departure::ReadAll { order, factor: factor_of(order) }]
             }
             Which::AllVectors | Which::AllLinear | Which::Omegas => [Order::Velocity, Order::Acceleration]
@@ -1201,10 +1282,14 @@ impl<'c> List<'c, '_> {
     /// The rates that are calculated from vectors, with the polygon of these.
     fn rates_from(&self, of: Which) -> Vec<(Order, Quantity)> {
         let rate = |(_, act): (usize, &Act)| match *act {
-            Act::Calculate(Calculation::Omega { link, quantity, .. }) if of.includes(&quantity) => {
+            Act::Calculate(Calculation::Omega { link, quantity, .. })
+                if self.case.includes(of, &quantity) =>
+            {
                 Some((Order::Velocity, Quantity::Omega(link)))
             }
-            Act::Calculate(Calculation::Alpha { link, quantity, .. }) if of.includes(&quantity) => {
+            Act::Calculate(Calculation::Alpha { link, quantity, .. })
+                if self.case.includes(of, &quantity) =>
+            {
                 Some((Order::Acceleration, Quantity::Alpha(link)))
             }
             _ => None,

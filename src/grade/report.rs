@@ -57,6 +57,8 @@ pub struct Graded {
     pub turn: Option<f64>,
     /// Which part of a vector is off.
     pub amiss: Amiss,
+    /// It is right as far as a careful hand can tell, though off by more than its tolerance.
+    pub beyond: bool,
     /// Why.
     pub allowed: Allowed,
     /// What it is worth; nothing where it is not asked, or another answer stands for what is.
@@ -349,7 +351,9 @@ fn graded(
         },
     };
     let [off, turned] = case.misses(index, case.truth[index].as_deref());
-    let amiss = Amiss { size: off > room.by, direction: turn.is_some() && turned > room.turn };
+    let accepted = case.accepted(index);
+    let amiss = Amiss { size: off > accepted.by, direction: turn.is_some() && turned > accepted.turn };
+    let beyond = off > room.by || turn.is_some() && turned > room.turn;
     let whole = if verdict == Verdict::Wrong { 0.0 } else { 1.0 };
     let share = match (observation.quantity, &case.truth[index]) {
         _ if !case.by_parts => whole,
@@ -384,6 +388,7 @@ fn graded(
         tolerance: room.by / si,
         turn,
         amiss,
+        beyond: beyond && verdict == Verdict::Right,
         allowed,
         weight: worth.unwrap_or(0.0),
         asked: worth.is_some(),

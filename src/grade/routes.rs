@@ -6,16 +6,16 @@
 //! same student of which one at least is wrong.
 
 use super::answers::Given;
-use super::case::{Case, Room, Target, polygon, size};
+use super::case::{Case, Room, Target, direction, polygon, size};
 use super::change::Change;
 use super::judge::Verdict;
 use super::steps;
 use crate::graphical::Sketch;
-use crate::graphical::construction::{Act, Calculation, Label};
+use crate::graphical::construction::{Act, Calculation, Label, Reference};
 use crate::mechanism::cycle::CycleQuantity;
 use crate::mechanism::force::Party;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId, Rider};
+use crate::mechanism::{Direction, Input, LinkId, Mechanism, Path, PointId, Rider, Slide};
 
 type Xy = [f64; 2];
 
@@ -55,9 +55,9 @@ pub(super) fn follows(
         let right = case.truth[index].as_deref().map_or(0.0, size);
         let larger = if right > 0.0 { (size(numbers) / right).max(1.0) } else { 1.0 };
         let room = Room { by: allowed.by * larger, ..allowed }.and(case.most(index, numbers));
-        case.miss(index, Some(numbers), room) <= 1.0
+        case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
-    desk.calculates(&fits) || steps::lead_to(case, drawn, verdicts, index, &fits)
+    desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, index, &fits)
 }
 
 /// ω of a link as it stands in a drawing, given or calculated.
@@ -75,6 +75,20 @@ pub(super) fn omega_of(case: &Case<'_>, base: &Sketch, link: LinkId) -> Option<f
         })
     })
 }
+
+/// What a coincident point under a rider stands for in a polygon; `None` of the rider itself.
+fn under(mechanism: &Mechanism, order: Order, point: PointId, link: LinkId) -> Option<Quantity> {
+    let guides = |slide: &Slide| {
+        slide.guide.link == link && matches!(slide.rider, Rider::Pin { point: on, .. } if on == point)
+    };
+    let guided = mechanism.slides.iter().any(guides);
+    match order {
+        Order::Velocity if guided => Some(Quantity::CoincidentVelocity(point, link)),
+        Order::Acceleration if guided => Some(Quantity::CoincidentAcceleration(point, link)),
+        _ => None,
+    }
+}
+
 struct Desk<'d, 's> {
     case: &'d Case<'s>,
     base: &'d Sketch,
@@ -114,11 +128,32 @@ impl Desk<'_, '_> {
             (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
                 Quantity::Acceleration(point)
             }
+            (Target::Image(order, Label::Image { point, link: Some(link) }), _) => {
+                match under(&self.case.mechanism, order, point, link) {
+                    Some(quantity) => quantity,
+                    None => return false,
+                }
+            }
             (Target::Asked(_), Some(quantity)) => quantity,
             _ => return false,
         };
         let vectors = self.vectors(target).into_iter().filter(|own| own.wrong).any(|own| fits(&own.value));
         vectors || self.scalars(target).into_iter().filter(|own| own.wrong).any(|own| fits(&[own.value]))
+    }
+
+    /// Whether the student's own numbers leave one value only: a normal part or Coriolis whose ω or V he handed in.
+    fn is_settled(&self) -> bool {
+        let observation = &self.case.observations[self.index];
+        let Some(target) = observation.quantity else { return false };
+        let product = matches!(
+            target,
+            Quantity::RelativeNormal(..)
+                | Quantity::Normal(_)
+                | Quantity::CoincidentNormal(..)
+                | Quantity::Coriolis(..)
+                | Quantity::Rub(..)
+        );
+        product && (!self.vectors(target).is_empty() || !self.scalars(target).is_empty())
     }
 
     /// What the student answered to another question, as numbers; a magnitude has the direction that it would have.
@@ -137,12 +172,18 @@ impl Desk<'_, '_> {
                 (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
                     Quantity::Acceleration(point)
                 }
+                (Target::Image(order, Label::Image { point, link: Some(link) }), _) => {
+                    under(&self.case.mechanism, order, point, link)?
+                }
                 _ => return None,
             };
             if index == self.index || !wanted(&quantity, observation.target) {
                 return None;
             }
             let wrong = judged(index)?;
+            if wrong && self.case.hands_in_nothing(index) {
+                return None;
+            }
             let value = match observation.given {
                 Given::Vector(vector) => vector.to_vec(),
                 Given::Signed(value) => vec![value],
@@ -277,6 +318,10 @@ impl Desk<'_, '_> {
                 let by_speed = self.vector(Quantity::CoincidentVelocity(p, link)).zip(arm);
                 ways.extend(by_speed.map(|(v, arm)| v.map(|v| toward_base(arm, size(&v)))));
             }
+            Quantity::Centre(i, j) => {
+                ways.extend(self.centres_in_line(i, j, Self::stated_centre));
+                ways.extend(self.centres_in_line(i, j, Self::centre));
+            }
             Quantity::Coriolis(p, link) => {
                 let both = self.scalar(Quantity::Omega(link)).zip(self.vector(Quantity::Slip(p, link)));
                 ways.extend(both.map(|(w, slip)| w.with(slip, |w, slip| times(left(slip), 2.0 * w))));
@@ -296,8 +341,14 @@ impl Desk<'_, '_> {
             };
             let driven = self.case.mechanism.inputs.iter().any(on_driven);
             let images = &polygon(&self.base.construction, order).filter(|_| driven)?.images;
-            let own = Label::Image { point, link: None };
-            let at = images.iter().rev().find(|image| image.label == own)?.at;
+            let own = |label: Label| match label {
+                Label::Image { point: of, link } => {
+                    of == point
+                        && link.is_none_or(|link| self.case.mechanism.link(link).points.contains(&point))
+                }
+                _ => false,
+            };
+            let at = images.iter().rev().find(|image| own(image.label))?.at;
             Some(Own::known(times(at, self.case.si_per_mm(order))))
         })
     }
@@ -381,7 +432,7 @@ impl Desk<'_, '_> {
             _ => self.vector(Quantity::Acceleration(p)),
         };
         let of = |p: PointId| of(p).or_else(|| self.stands(target.order(), p));
-        let mut ways = Vec::new();
+        let mut ways = self.images_of_guide(target, point);
         for link in self.case.mechanism.moving() {
             let points = &self.case.mechanism.link(link).points;
             if !points.contains(&point) {
@@ -410,6 +461,27 @@ impl Desk<'_, '_> {
         ways
     }
 
+    /// By proportion from the point of a guide that lies under its rider, about the pivot of the guide.
+    fn images_of_guide(&self, target: Quantity, point: PointId) -> Vec<Own<Xy>> {
+        let mechanism = &self.case.mechanism;
+        let way = |slide: &Slide| {
+            let (link, Rider::Pin { point: rider, .. }) = (slide.guide.link, slide.rider) else {
+                return None;
+            };
+            if !mechanism.link(link).points.contains(&point) {
+                return None;
+            }
+            let pivot = self.pivot(link)?;
+            let (base, arm) = (self.arm(pivot, rider)?, self.arm(pivot, point)?);
+            let under = self.vector(under(mechanism, target.order(), rider, link)?)?;
+            let square = base[0] * base[0] + base[1] * base[1];
+            let along = (arm[0] * base[0] + arm[1] * base[1]) / square;
+            let across = cross(base, arm) / square;
+            Some(under.map(|v| plus(times(v, along), times(left(v), across))))
+        };
+        mechanism.slides.iter().filter_map(way).collect()
+    }
+
     /// By the sums of the polygons in which the answer stands: everything else in them is the student's own.
     fn sums(&self, target: Quantity) -> Vec<Own<Xy>> {
         let mut ways = Vec::new();
@@ -418,7 +490,7 @@ impl Desk<'_, '_> {
             let others: Option<Vec<(Own<Xy>, f64)>> = sum
                 .iter()
                 .filter(|(quantity, _)| *quantity != target)
-                .map(|&(quantity, sign)| Some((self.vector(quantity)?, sign)))
+                .map(|&(quantity, sign)| Some((self.vector(quantity).or_else(|| self.part(quantity))?, sign)))
                 .collect();
             let Some(others) = others else { continue };
             let total = others.into_iter().fold(Own::known([0.0; 2]), |total, (own, sign)| {
@@ -427,6 +499,35 @@ impl Desk<'_, '_> {
             ways.push(total.map(|total| times(total, -sign)));
         }
         ways
+    }
+
+    /// A part of an acceleration that was not handed in, from the ω and ε that were, and what is known of a driven point.
+    fn part(&self, quantity: Quantity) -> Option<Own<Xy>> {
+        let turned = |link: LinkId, arm: Option<Xy>, normal: bool| {
+            let rate = if normal { Quantity::Omega(link) } else { Quantity::Alpha(link) };
+            let arm = arm?;
+            let part =
+                move |rate: f64| if normal { times(arm, -rate * rate) } else { times(left(arm), rate) };
+            Some(self.scalar(rate)?.map(part))
+        };
+        match quantity {
+            Quantity::Acceleration(point) => self.known(quantity, point),
+            Quantity::CoincidentNormal(p, link) | Quantity::CoincidentTangential(p, link) => {
+                let arm = self.pivot(link).and_then(|pivot| self.arm(pivot, p));
+                turned(link, arm, matches!(quantity, Quantity::CoincidentNormal(..)))
+            }
+            Quantity::RelativeNormal(to, from) | Quantity::RelativeTangential(to, from) => {
+                let normal = matches!(quantity, Quantity::RelativeNormal(..));
+                let links = self.links_of(to, from).into_iter();
+                links.filter_map(|link| turned(link, self.arm(from, to), normal)).next()
+            }
+            Quantity::Coriolis(p, link) => {
+                let slip = self.vector(Quantity::Slip(p, link))?;
+                let omega = self.scalar(Quantity::Omega(link))?;
+                Some(omega.with(slip, |w, slip| times(left(slip), 2.0 * w)))
+            }
+            _ => None,
+        }
     }
 
     /// Sums of vectors that are nothing, by the closed polygons of the textbook.
@@ -501,6 +602,12 @@ impl Desk<'_, '_> {
                 let both = two(Quantity::Omega(i), Quantity::Omega(j)).filter(|(_, b)| b.value != 0.0);
                 both.map(|(a, b)| a.with(b, |a, b| a / b)).into_iter().collect()
             }
+            Quantity::Rub(pin, i, j) => {
+                let journal = self.case.mechanism.points.get(pin.0).and_then(|point| point.journal);
+                let both = two(Quantity::Omega(i), Quantity::Omega(j)).zip(journal);
+                let rubbing = both.map(|((a, b), radius)| a.with(b, |a, b| (a - b).abs() * radius.value));
+                rubbing.into_iter().collect()
+            }
             Quantity::Cycle(of) => self.of_cycle(of),
             _ => Vec::new(),
         }
@@ -508,8 +615,15 @@ impl Desk<'_, '_> {
 
     // --- instant centres -----------------------------------------------------------------------
 
-    /// The centre of two links, answered, or a joint of both.
+    /// The centre of two links, answered, a joint of both, or found from such.
     fn centre(&self, one: LinkId, other: LinkId) -> Option<Own<Xy>> {
+        self.stated_centre(one, other).or_else(|| {
+            let found = self.centres_in_line(one, other, Self::stated_centre);
+            found.iter().copied().find(|own| own.wrong).or(found.first().copied())
+        })
+    }
+
+    fn stated_centre(&self, one: LinkId, other: LinkId) -> Option<Own<Xy>> {
         let centre = |a, b| self.vector(Quantity::Centre(a, b));
         let mechanism = &self.case.mechanism;
         let joint = || {
@@ -519,6 +633,63 @@ impl Desk<'_, '_> {
             Some(Own::known(times(at, self.case.si_per_mm(Order::Position))))
         };
         centre(one, other).or_else(|| centre(other, one)).or_else(joint)
+    }
+
+    /// Where two lines cross, each through two centres that three links have in common.
+    fn centres_in_line(
+        &self,
+        i: LinkId,
+        j: LinkId,
+        centre: fn(&Self, LinkId, LinkId) -> Option<Own<Xy>>,
+    ) -> Vec<Own<Xy>> {
+        let mechanism = &self.case.mechanism;
+        let third = [LinkId::FRAME].into_iter().chain(mechanism.moving()).filter(|k| *k != i && *k != j);
+        let lines: Vec<Own<[Xy; 2]>> =
+            third.filter_map(|k| self.line_of_centres([i, j, k], centre)).collect();
+        let mut ways = Vec::new();
+        for (place, one) in lines.iter().enumerate() {
+            for other in &lines[place + 1..] {
+                let meet =
+                    one.with(*other, |[a, d], [b, e]| plus(a, times(d, cross(minus(b, a), e) / cross(d, e))));
+                ways.extend(meet.value.iter().all(|x| x.is_finite()).then_some(meet));
+            }
+        }
+        ways
+    }
+
+    /// A point and the direction of the line on which the centre of two links lies with those that a third one shares with
+    /// them; what only slides on another has its centre square to the guide at infinity.
+    fn line_of_centres(
+        &self,
+        [i, j, k]: [LinkId; 3],
+        centre: fn(&Self, LinkId, LinkId) -> Option<Own<Xy>>,
+    ) -> Option<Own<[Xy; 2]>> {
+        match (centre(self, i, k), centre(self, k, j)) {
+            (Some(a), Some(b)) => Some(a.with(b, |a, b| [a, minus(b, a)])),
+            (Some(a), None) => self.square_to_guide(k, j).map(|d| a.map(|a| [a, d])),
+            (None, Some(b)) => self.square_to_guide(i, k).map(|d| b.map(|b| [b, d])),
+            (None, None) => None,
+        }
+    }
+
+    /// The direction of the centre of two links of which one only slides on the other.
+    fn square_to_guide(&self, one: LinkId, other: LinkId) -> Option<Xy> {
+        let mechanism = &self.case.mechanism;
+        let place = mechanism.slides.iter().position(|slide| {
+            let links = [Party::Link(slide.guide.link), mechanism.party_of(&slide.rider)];
+            [one, other].iter().all(|link| links.contains(&Party::Link(*link)))
+        })?;
+        let guide = mechanism.slides.get(place)?.guide;
+        let stated = match guide.path {
+            Path::Straight { direction: Direction::Angle(angle), turned, .. }
+                if guide.link == LinkId::FRAME =>
+            {
+                let angle = angle.value + turned.value;
+                Some([libm::cos(angle), libm::sin(angle)])
+            }
+            _ => None,
+        };
+        stated.or_else(|| direction(&self.base.construction, Reference::Guide(place))).map(left)
     }
 
     /// Of each other link whose ω is known: that, its pole, and the centre that it shares with this link.
@@ -640,7 +811,7 @@ impl Desk<'_, '_> {
         }
         if let Some(pivot) = self.pivot(link) {
             for slide in &self.case.mechanism.slides {
-                let crate::mechanism::Rider::Pin { point, .. } = slide.rider else { continue };
+                let Rider::Pin { point, .. } = slide.rider else { continue };
                 let (Some(arm), true) = (self.arm(pivot, point), slide.guide.link == link) else { continue };
                 let under = match target {
                     Quantity::Omega(_) => Quantity::CoincidentVelocity(point, link),

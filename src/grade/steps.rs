@@ -8,7 +8,7 @@ use super::routes::omega_of;
 use crate::graphical::construction::Label;
 use crate::graphical::{Departure, Sketch};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId, Rider};
 
 /// So many drawings are made at most to see whether one answer follows.
 const DRAWINGS: usize = 240;
@@ -26,7 +26,9 @@ pub(super) fn lead_to(
         let is = |verdict: Option<Verdict>| verdict.is_some_and(|verdict| wanted.contains(&verdict));
         (0..verdicts.len()).filter(|&other| other != index && is(verdicts[other])).collect()
     };
-    let [wrong, right] = [&[Verdict::Wrong, Verdict::Consistent][..], &[Verdict::Right]].map(judged);
+    let [mut wrong, right] = [&[Verdict::Wrong, Verdict::Consistent][..], &[Verdict::Right]].map(judged);
+    // Nothing follows from what is nothing.
+    wrong.retain(|&other| !case.hands_in_nothing(other));
     if wrong.is_empty() {
         return false;
     }
@@ -34,6 +36,13 @@ pub(super) fn lead_to(
     let bases: &[&Change] = if drawn.redraws() { &[&plain, drawn] } else { &[&plain] };
     for &base in bases {
         let Some(sketch) = case.drawn(base, None) else { continue };
+        if by_image_of_guides(case, &sketch).iter().any(|way| {
+            let change = base.and(way);
+            let Some(sketch) = case.drawn(&change, None) else { return false };
+            case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
+        }) {
+            return true;
+        }
         let seen = case.seen(&sketch, base);
         let ways = |of: &[usize]| -> Vec<Vec<Change>> {
             let of = of.iter().map(|&other| ways_of(case, &sketch, other, seen[other].as_deref()));
@@ -97,6 +106,38 @@ fn ways_of(case: &Case<'_>, sketch: &Sketch, index: usize, before: Option<&[f64]
     }
     ways.retain(Change::redraws);
     ways
+}
+
+/// The points of every link with a guide by proportion from the point under its rider: in either polygon, and in both.
+fn by_image_of_guides(case: &Case<'_>, sketch: &Sketch) -> Vec<Change> {
+    let mechanism = &case.mechanism;
+    let place = |point: PointId| sketch.construction.space.places.get(point.0).copied().flatten();
+    let of = |order: Order| -> Vec<Departure> {
+        let mut departures = Vec::new();
+        for slide in &mechanism.slides {
+            let (link, Rider::Pin { point: rider, .. }) = (slide.guide.link, slide.rider) else { continue };
+            let points = &mechanism.link(link).points;
+            let Some(&pivot) = points.iter().find(|point| mechanism.is_fixed(**point)) else { continue };
+            let own = Label::Image { point: rider, link: Some(link) };
+            let image = polygon(&sketch.construction, order)
+                .and_then(|polygon| polygon.images.iter().rev().find(|image| image.label == own));
+            let (Some(image), Some(base), Some(tip)) = (image, place(pivot), place(rider)) else { continue };
+            let [x, y] = [tip[0] - base[0], tip[1] - base[1]];
+            for &point in points.iter().filter(|point| **point != pivot) {
+                let Some(at) = place(point) else { continue };
+                let [u, v] = [at[0] - base[0], at[1] - base[1]];
+                let square = x * x + y * y;
+                let [along, across] = [(u * x + v * y) / square, (v * x - u * y) / square];
+                let [p, q] = image.at;
+                let at = [along * p - across * q, along * q + across * p];
+                departures.push(Departure::Image { order, point, at });
+            }
+        }
+        departures
+    };
+    let [velocity, acceleration] = [of(Order::Velocity), of(Order::Acceleration)];
+    let both = [&velocity[..], &acceleration[..]].concat();
+    [velocity, acceleration, both].into_iter().filter(|way| !way.is_empty()).map(Change::drawn).collect()
 }
 
 /// The images of a link's points by its own rate, from each of its points that is fixed or driven.

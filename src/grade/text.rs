@@ -223,6 +223,9 @@ pub(super) fn sentences(graded: &Graded) -> Vec<String> {
 
 fn row(graded: &Graded, symbols: &Symbols) -> [String; 3] {
     let verdict = match graded.verdict {
+        Verdict::Right if graded.beyond => {
+            format!("right as far as it can be measured ({})", graded.expected_within())
+        }
         Verdict::Right => format!("right ({})", graded.expected_within()),
         Verdict::Wrong => {
             let part = graded.wrong_in().map_or(String::new(), |part| format!(" in {part}"));

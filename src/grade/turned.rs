@@ -72,7 +72,11 @@ struct Fitted {
 /// How the figures of a student lie.
 pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Found<'_>]) -> Turns {
     let of = |order: Order| figures.iter().find(|found| found.figure.order == order);
-    let by_fixed = of(Order::Position).and_then(|found| laid_down(mechanism, right, found));
+    let all: Vec<Pair> =
+        figures.iter().filter_map(|found| moving_pairs(mechanism, right, found)).flatten().collect();
+    // Fixed points tell how a sheet lies, as long as all else that is drawn does not lie better as it is.
+    let believed = |turn: &f64| turn.abs() <= LEVEL || off(&all, *turn) <= off(&all, 0.0);
+    let by_fixed = of(Order::Position).and_then(|found| laid_down(mechanism, right, found)).filter(believed);
     let fitted = |order: Order| fit(&pairs(mechanism, right, of(order)?)?);
     let [skeleton, velocity, acceleration] =
         [Order::Position, Order::Velocity, Order::Acceleration].map(fitted);
@@ -81,7 +85,7 @@ pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Foun
     let sheet = match (by_fixed, skeleton) {
         // A skeleton says how the sheet lies; with one fixed point, if it is turned as a whole.
         (Some(turn), _) => turn,
-        (None, Some(skeleton)) if skeleton.better => skeleton.turn,
+        (None, Some(skeleton)) if skeleton.better && believed(&skeleton.turn) => skeleton.turn,
         (None, None) if of(Order::Position).is_none() => {
             // Without one the polygons do, where all of them are turned alike.
             let first =
@@ -130,6 +134,21 @@ fn laid_down(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> 
 }
 
 fn pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {
+    pairs_of(mechanism, right, found, |_| true)
+}
+
+/// The same without the fixed points.
+fn moving_pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {
+    let moving = |target: Target| !matches!(target, Target::Place(point) if mechanism.is_fixed(point));
+    pairs_of(mechanism, right, found, moving)
+}
+
+fn pairs_of(
+    mechanism: &Mechanism,
+    right: &Construction,
+    found: &Found<'_>,
+    wanted: impl Fn(Target) -> bool,
+) -> Option<Vec<Pair>> {
     let order = found.figure.order;
     let place = |target: Target| match target {
         Target::Image(_, Label::Pole) => Some([0.0; 2]),
@@ -148,11 +167,39 @@ fn pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Opti
     let &(_, from, target) = turned_about?;
     let to = place(target)?;
     let pair = |&(_, at, target): &(&str, [f64; 2], Target)| {
-        let there = place(target)?;
+        let there = place(target).filter(|_| wanted(target))?;
         let pair = [[at[0] - from[0], at[1] - from[1]], [there[0] - to[0], there[1] - to[1]]];
         pair.iter().all(|from| size(from) > SHORT).then_some(pair)
     };
     Some(found.points.iter().filter_map(pair).collect())
+}
+
+/// Whether a point comes to its place by a turn.
+fn near(turn: f64) -> impl Fn(&&Pair) -> bool {
+    let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+    move |[own, right]| {
+        let at = [cos * own[0] - sin * own[1] - right[0], sin * own[0] + cos * own[1] - right[1]];
+        size(&at) <= NEAR.max(NEAR_PART * size(right))
+    }
+}
+
+/// How far points lie from their places after a turn: the sum of squares, mm², of which none counts for much.
+fn off(pairs: &[Pair], turn: f64) -> f64 {
+    let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+    let square = |[own, right]: &Pair| {
+        let at = [cos * own[0] - sin * own[1] - right[0], sin * own[0] + cos * own[1] - right[1]];
+        let away = size(&at).min(AWAY);
+        away * away
+    };
+    pairs.iter().map(square).sum()
+}
+
+/// Farther away than this (mm) all places are alike wrong.
+const AWAY: f64 = 2.0;
+
+/// How many points come to their places by a turn.
+fn count_near(pairs: &[Pair], turn: f64) -> usize {
+    pairs.iter().filter(near(turn)).count()
 }
 
 /// The turn by which most points of a figure come to their places; `None` where two do not, or fewer than half.
@@ -160,14 +207,7 @@ fn fit(pairs: &[Pair]) -> Option<Fitted> {
     let between = |[own, right]: &Pair| {
         libm::atan2(own[0] * right[1] - own[1] * right[0], own[0] * right[0] + own[1] * right[1])
     };
-    let near = |turn: f64| {
-        move |[own, right]: &&Pair| {
-            let (sin, cos) = (libm::sin(turn), libm::cos(turn));
-            let at = [cos * own[0] - sin * own[1] - right[0], sin * own[0] + cos * own[1] - right[1]];
-            size(&at) <= NEAR.max(NEAR_PART * size(right))
-        }
-    };
-    let count = |turn: f64| pairs.iter().filter(near(turn)).count();
+    let count = |turn: f64| count_near(pairs, turn);
     let candidates = pairs.iter().map(between);
     let best = candidates.max_by(|a, b| count(*a).cmp(&count(*b)).then(b.abs().total_cmp(&a.abs())))?;
     let agreeing: Vec<&Pair> = pairs.iter().filter(near(best)).collect();

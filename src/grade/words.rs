@@ -63,7 +63,7 @@ impl Mistake {
             Kind::InertiaLeftOut => format!("{at}: inertia was left out"),
             Kind::LoadsInShaking => format!("{at} with the loads"),
             Kind::LargestArea => format!("{at}: the largest area"),
-            Kind::OneTurnForTwo => format!("{at}: one turn for a cycle of two"),
+            Kind::OneTurnForTwo => format!("{at}: another number of turns than a cycle has"),
             Kind::HalfFluctuation => format!("{at}: half of the range"),
             Kind::NormalNotSquared => format!("{at}: ω·l in the place of ω²·l"),
             Kind::CoriolisWrongVelocity => format!("{at} with another velocity than that of sliding"),
@@ -77,6 +77,11 @@ impl Mistake {
             Kind::FrictionLeftOut => format!("{at}: friction was left out"),
             Kind::LoadElsewhere => format!("{at} laid off at another point"),
             Kind::ParallelAxis => format!("{at}: not about the mass centre"),
+            Kind::RatioInverted => format!("{at}: the ratio the other way up"),
+            Kind::RoundedCoarsely => format!("{at}: rounded to two figures"),
+            Kind::DiameterForRadius => format!("{at}: diameter and radius mixed up"),
+            Kind::PivotMisplaced => format!("the pivot {at} stands elsewhere than given"),
+            Kind::LoadWrong => format!("{at}: calculated wrongly from what is given"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -165,7 +170,9 @@ impl Mistake {
             Kind::LargestArea => {
                 "E_f is the highest level of energy less the lowest: add the areas up in their order."
             }
-            Kind::OneTurnForTwo => "Four strokes take two turns: the mean is the work over 4π.",
+            Kind::OneTurnForTwo => {
+                "The mean is the work of a cycle over its angle: 4π for four strokes, 2π for two."
+            }
             Kind::HalfFluctuation => "±x % about the mean is a range of 2·x %.",
             Kind::NormalNotSquared => "A normal part is ω²·l, or V²/l.",
             Kind::CoriolisWrongVelocity => "2·ω·V: V is the velocity of what slides against its guide.",
@@ -189,6 +196,13 @@ impl Mistake {
             }
             Kind::LoadElsewhere => "Look at which point of its link the load acts.",
             Kind::ParallelAxis => "I about the mass centre is I about another point less M·d².",
+            Kind::RatioInverted => "A ratio i : j is that of i over that of j.",
+            Kind::RoundedCoarsely => {
+                "Hand in three figures: what follows is no better than what you round to."
+            }
+            Kind::DiameterForRadius => "Look whether the radius or the diameter is given.",
+            Kind::PivotMisplaced => "Lay off the fixed points once more before the links.",
+            Kind::LoadWrong => "Write area and pressure with their units before you multiply.",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }

@@ -5,6 +5,7 @@
 pub(crate) mod chains;
 pub(crate) mod exact;
 pub(crate) mod givens;
+pub(crate) mod hand_in;
 pub(crate) mod oracle;
 
 use std::path::{Path, PathBuf};
