@@ -76,6 +76,7 @@ const pageOf = (scene, ...more) => {
   return out;
 };
 const four = sceneOf('four-bar'), rocker = sceneOf('rocker-crank'), slider = sceneOf('slider-crank');
+const liveOf = (html) => JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
 const fourPage = pageOf(four, '--lang', 'en,ar,fa');
 /** As many positions as the contract wants, for minutes; else a part of them. */
 const thorough = Boolean(process.env.LINKGRAM_LIVE_POSITIONS);
@@ -143,7 +144,7 @@ test('the cases of the suite: events, their neighbours, time', async () => {
 
 /** Recovers every vector of a page from its ink alone. */
 async function inkOf(html, parts) {
-  const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const live = liveOf(html);
   const { Course } = { Course: new Function(`'use strict';${scripts('libm', 'program', 'course')}\nreturn Course;`)() };
   const course = new Course(live);
   const page = await open(html, { atOnce: true });
@@ -231,7 +232,7 @@ test('a wrong move is noticed', async () => {
   for (const [from, to] of [
     [',y=-(at[1]- origin', ',y=(at[1]- origin'],
     ['at[axis]+=sign*value;', 'at[axis]-=sign*value;'],
-    ['const d=minus(b,a),length=sizeOf(d);\nconst short', 'const d=minus(a,b),length=sizeOf(d);\nconst short'],
+    ['const d=minus(b,a),length=sizeOf(d);const short', 'const d=minus(a,b),length=sizeOf(d);const short'],
     ['s=(to.x.y*from.x.x - to.x.x*from.x.y)/ n', 's=-(to.x.y*from.x.x - to.x.x*from.x.y)/ n'],
   ]) {
     await assert.rejects(inkOf(changed(html, from, to), [0.21, 0.55]), `nobody noticed ${to}`);
@@ -339,7 +340,7 @@ test('what is out of sight follows at rest, and as soon as it is seen', async ()
 
 test('a limit stops the hand', async () => {
   const html = pageOf(rocker);
-  const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const live = liveOf(html);
   const limits = live.course.events.filter((event) => event.kind === 'limit').map((event) => event.at / live.variable.si);
   assert.ok(limits.length > 0);
   const page = await open(html);
@@ -404,7 +405,7 @@ test('names are calm', async () => {
 
 /** How far a name goes of itself at most in a degree of the input, or in as small a part of its range. */
 function glide(html) {
-  const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const live = liveOf(html);
   const uncoded = new Function(`'use strict';${scripts('text', 'place', 'ink')}\nreturn uncoded;`)();
   const { variable: { kind, range } } = live, frames = 180;
   const degrees = (kind === 'angle' ? (range[1] - range[0]) * 180 / Math.PI : 360) / frames;
@@ -521,7 +522,7 @@ test('steps say what the sheet says there', async () => {
       });
     });
   }
-  assert.ok(compared > 250 && same > 0.8 * compared && left < 0.1 * compared, `${compared} compared, ${same} the same, ${left} left`);
+  assert.ok(compared > 250 && same > 0.8 * compared && left < 0.05 * compared, `${compared} compared, ${same} the same, ${left} left`);
   return `${compared} texts, ${same} to the letter, ${left} at the scene's own position only`;
 });
 
@@ -571,7 +572,7 @@ test('what only a line calculates comes out of the numbers that stand in it', as
 test('centres and constructions move', async () => {
   for (const [name, moves] of [['centres/four-bar', ['through', 'arrow']], ['constructions/klein', ['through', 'round']]]) {
     const html = pageOf(path.join(root, 'examples', `${name}.json`));
-    const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+    const live = liveOf(html);
     for (const move of moves) assert.ok(live.ink.some((ink) => ink.move === move), `${name}: nothing moves as ${move}`);
     const page = await open(html);
     const drawn = () => page.evaluate((ids) => ids.map((id) => [...document.getElementById(id).querySelectorAll('path, circle')]
@@ -591,14 +592,26 @@ test('axe finds nothing', async () => {
   const question = path.join(work, 'question.html');
   run('draw', four, '--as', 'question', '-o', question);
   let rules = 0;
-  for (const [file, hash] of [[fourPage, ''], [fourPage, '#lang=ar'], [fourPage, '#lang=fa'], [question, '']]) {
+  const centres = pageOf(path.join(root, 'examples/s000-ch3b-1.json'), '--lang', 'en,ar'), still = pageOf(sceneOf('gear-pair'));
+  for (const [file, hash] of [[fourPage, ''], [fourPage, '#lang=ar'], [fourPage, '#lang=fa'], [centres, '#step=4'], [centres, '#lang=ar&step=4'], [still, ''], [question, '']]) {
     for (const scheme of ['light', 'dark']) {
       const page = await open(file, { hash });
       if (!firefox) await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
       await page.evaluate((source) => { (0, eval)(source); }, axe).catch(() => page.evaluate(axe));
-      const found = await page.evaluate(() => window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
-      rules += found.passes.length;
-      assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`), [], `${file}${hash} ${scheme}`);
+      // At rest; with every panel, path and a diagram open; with the help.
+      for (const open of [() => {}, () => {
+        for (const box of document.querySelectorAll('.traces input:not(:checked)')) box.click();
+        const diagram = document.getElementById('diagram');
+        if (diagram) diagram.value = '0 0';
+        diagram?.dispatchEvent(new Event('change'));
+        document.querySelector('#values button')?.click();
+        document.getElementById('sheet').open = true;
+      }, () => { document.getElementById('help')?.click(); }]) {
+        await page.evaluate(open);
+        const found = await page.evaluate(() => window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
+        rules += found.passes.length;
+        assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`), [], `${file}${hash} ${scheme}`);
+      }
       await page.close();
     }
   }
@@ -776,6 +789,62 @@ test('what is saved is one drawing and a table of numbers', async () => {
   await page.close();
 });
 
+test('the table that is saved is the sweep\'s, heads and all', async () => {
+  let compared = 0;
+  for (const scene of [slider, path.join(root, 'examples/s000-ch3a-1.json'), path.join(root, 'examples/forces/friction-slider-crank.json')]) {
+    const table = path.join(work, 'own.csv'), html = pageOf(scene);
+    run('sweep', scene, '--steps', '7', '-o', table);
+    const [head, ...lines] = readFileSync(table, 'utf8').trim().split(/\r?\n/);
+    for (const line of [lines[2], lines[5]]) {
+      const page = await open(html, { hash: `#at=${line.split(',')[0]}` });
+      const [own, numbers] = (await given(page, 'table')).trim().split('\r\n');
+      await page.close();
+      assert.equal(own, head, scene);
+      // The place is told in the scene's unit, and comes back from it: it may be another double.
+      const [mine, wanted] = [numbers, line].map((text) => text.split(','));
+      assert.equal(mine.length, wanted.length);
+      wanted.forEach((text, i) => {
+        assert.equal(mine[i] === '', text === '', `${scene}: ${head.split(',')[i]}`);
+        assert.ok(Math.abs(Number(mine[i]) - Number(text)) <= 1e-9 * Math.abs(Number(text)) + 1e-9, `${scene}: ${mine[i]} is not ${text}`);
+      });
+      compared += wanted.length;
+    }
+  }
+  return `${compared} numbers`;
+});
+
+/** The rows of the table of values, by quantity. */
+const rowsOf = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll('#values tbody tr')].map((row) => [row.dataset.quantity, [...row.cells].map((cell) => cell.textContent)])));
+
+test('rounding has no sense, a pair that rubs comes to rest, and what is of the cycle stands at every position', async () => {
+  // The connecting rod of two parallel cranks does not turn: what is computed is zero or the rounding of it.
+  const html = pageOf(sceneOf('parallel-crank'));
+  const live = liveOf(html);
+  const course = new (new Function(`'use strict';${scripts('libm', 'program', 'course')}\nreturn Course;`)())(live);
+  const rate = live.outputs.findIndex((output) => output.name === 'omega(3)'), { range: [from, to], si } = live.variable;
+  const dust = Array.from({ length: 2000 }, (_, i) => from + (i + 0.37) / 2000 * (to - from)).find((at) => course.look(at)?.[rate] !== 0);
+  assert.ok(dust !== undefined && Math.abs(course.look(dust)[rate]) < 1e-9, 'somewhere rounding is left');
+  const turning = await open(html);
+  await goTo(turning, dust);
+  assert.deepEqual((await rowsOf(turning))['omega(3)'].slice(1, 3), ['0\u00a0rad/s', ''], `at ${dust / si}`);
+  await turning.close();
+  const rubbing = await open(pageOf(path.join(root, 'examples/forces/friction-slider-crank.json')));
+  await goTo(rubbing, Math.PI);
+  const atRest = await rowsOf(rubbing);
+  assert.ok(Object.values(atRest).every((row) => row[1] === '—' && /comes to rest/.test(row[2])), JSON.stringify(atRest));
+  await goTo(rubbing, 1);
+  assert.ok(Object.values(await rowsOf(rubbing)).every((row) => /\d/.test(row[1])));
+  await rubbing.close();
+  // The mean torque is that of the sheet wherever the crank stands.
+  const scene = path.join(root, 'examples/forces/gas-engine.json'), engine = await open(pageOf(scene), { hash: '#at=50' });
+  const rows = await rowsOf(engine);
+  await engine.close();
+  for (const { name, value, unit } of JSON.parse(run('solve', scene, '--json')).quantities.filter((own) => own.unit && !/[(]/.test(own.name))) {
+    const told = Number.parseFloat(rows[name][1].replace(/[\u2009]/g, ''));
+    assert.ok(Math.abs(told - value) <= 0.005 * Math.abs(value), `${name} = ${rows[name][1]} for ${value} ${unit}`);
+  }
+});
+
 test('no name comes before its ink', async () => {
   const page = await open(fourPage, { hash: '#step=1' });
   const early = await page.evaluate(() => [...document.querySelectorAll('#panel1 .labels > g, #panel2 .labels > g')].filter((name) => {
@@ -838,7 +907,7 @@ const goTo = (page, at) => page.evaluate((wish) => {
 test('it plays as the mechanism turns in truth', async () => {
   for (const [scene, sign] of [[path.join(root, 'examples/s000-ch3a-1.json'), -1], [four, 1]]) {
     const html = pageOf(scene), page = await open(html);
-    const { rate } = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]).variable;
+    const { rate } = liveOf(html).variable;
     assert.equal(Math.sign(rate), sign);
     const before = await placeOf(page);
     await page.keyboard.press(' ');
@@ -870,7 +939,7 @@ test('paths and diagrams are those of what they name, and zero is straight', asy
 test('what is laid off has the length that the scale in force gives it', async () => {
   // The crank's own vectors stay the same over the course, and the scale does not.
   const html = pageOf(slider), page = await open(html);
-  const { variable: { range: [from, to] } } = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const { variable: { range: [from, to] } } = liveOf(html);
   await page.keyboard.press('s');
   let compared = 0;
   for (const part of [0.02, 0.1, 0.26, 0.4, 0.6]) {
@@ -922,11 +991,70 @@ test('names and numbers of the ink follow, and controls stay where they are', as
   await page.close();
 });
 
+/** What a page does with the document in the frames of three seconds of playing: how often each thing a frame, and what it wrote
+ * though it stood there already. */
+async function written(html) {
+  const page = await browser.newPage();
+  await page.evaluateOnNewDocument(() => {
+    const told = window.told = { on: false, frames: 0, writes: 0, idle: [], reads: [], made: 0 };
+    const wrap = (of, name, does) => {
+      const own = of[name];
+      of[name] = function (...all) {
+        if (told.on) does(this, ...all);
+        return own.apply(this, all);
+      };
+    };
+    wrap(Element.prototype, 'setAttribute', (element, name, value) => {
+      told.writes += 1;
+      if (element.getAttribute(name) === String(value)) told.idle.push(`${element.tagName}.${element.getAttribute('class')} ${name}`);
+    });
+    for (const [of, name] of [[Element.prototype, 'getBoundingClientRect'], [SVGGraphicsElement.prototype, 'getScreenCTM'], [SVGGraphicsElement.prototype, 'getBBox'], [window, 'getComputedStyle']]) wrap(of, name, () => told.reads.push(name));
+    for (const name of ['offsetWidth', 'offsetHeight', 'clientWidth', 'clientHeight', 'scrollTop']) {
+      const [of, own] = [HTMLElement.prototype, Element.prototype].map((one) => [one, Object.getOwnPropertyDescriptor(one, name)]).find(([, found]) => found);
+      Object.defineProperty(of, name, { ...own, get() { if (told.on) told.reads.push(name); return own.get.call(this); } });
+    }
+    for (const name of ['createElement', 'createElementNS', 'createTextNode']) wrap(Document.prototype, name, () => { told.made += 1; });
+    const frame = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (does) => frame((now) => {
+      if (told.on) told.frames += 1;
+      does(now);
+    });
+  });
+  await page.setViewport({ width: 390, height: 844 });
+  await page.goto(`file://${html}`);
+  await page.evaluate(() => { for (const box of [...document.querySelectorAll('.traces label input:not(:checked)')].slice(-2)) box.click(); });
+  await rest(600);
+  await page.keyboard.press(' ');
+  await rest(300);
+  await page.evaluate(() => { window.told.on = true; });
+  await rest(3000);
+  const told = await page.evaluate(() => { window.told.on = false; return window.told; });
+  await page.keyboard.press(' ');
+  await page.close();
+  return told;
+}
+
+test('a frame writes what has changed, reads no layout and makes nothing', async () => {
+  const all = [];
+  for (const scene of [four, moving[6], path.join(root, 'examples/s000-ch3a-1.json')]) {
+    const told = await written(pageOf(scene));
+    assert.ok(told.frames > 5, `${told.frames} frames`);
+    assert.deepEqual([...new Set(told.reads)], [], scene);
+    // One coordinate of a dot may stay where it is.
+    assert.ok(told.idle.length <= told.writes / 50, `${scene}: ${told.idle.length} of ${told.writes} stood there already: ${[...new Set(told.idle)]}`);
+    // What leaves a panel is said in words now and then.
+    assert.ok(told.made <= told.frames / 2, `${scene}: ${told.made} nodes made in ${told.frames} frames`);
+    all.push((told.writes / told.frames).toFixed(0));
+    assert.ok(told.writes / told.frames < 160, `${scene}: ${told.writes} writes in ${told.frames} frames`);
+  }
+  return `${all.join(', ')} attributes a frame`;
+});
+
 test('size and speed', async () => {
   const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json')), eight = pageOf(path.join(root, 'examples/eight-link.json'));
   const sizes = [six, eight].map((file) => readFileSync(file).length);
   const script = /<script>(.*?)<\/script>/s.exec(readFileSync(six, 'utf8'))[1].length;
-  assert.ok(script <= 78_000, `script ${script}`);
+  assert.ok(script <= 80_000, `script ${script}`);
   assert.ok(sizes[0] <= 290_000, `six-link ${sizes[0]}`);
   assert.ok(sizes[1] <= 450_000, `eight-link ${sizes[1]}`);
   // While it plays in the window of a phone, with two paths.

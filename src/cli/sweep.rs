@@ -528,11 +528,7 @@ impl Report<'_> {
     }
 
     fn input(&self) -> String {
-        match self.sweep.input {
-            InputKind::Angle(link) => format!("angle of link {}", self.scene.mechanism.link(link).number),
-            InputKind::Slide(slide) => format!("place of slide {}", slide + 1),
-            InputKind::Time => "time".to_owned(),
-        }
+        self.sweep.input.told(&self.scene.mechanism)
     }
 
     fn event(&self, event: &Event) -> String {

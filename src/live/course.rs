@@ -25,6 +25,7 @@ pub(super) fn variable(scene: &Scene, sweep: &Sweep, over: Over) -> Value {
     let unit = unit(scene, sweep);
     json!({
         "kind": kind,
+        "told": sweep.input.told(&scene.mechanism),
         "of": link,
         "over_time": over == Over::Time,
         "unit": unit.symbol,

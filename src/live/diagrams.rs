@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::LiveError;
 use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind, marks};
-use super::said::{Paper, Printed};
+use super::said::{Paper, Printed, TAKEN};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
@@ -15,7 +15,7 @@ use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
-use crate::sheet::moving::{self, Draughts, Drawing, Layer, Name, Said, Spot, Way, arrow};
+use crate::sheet::moving::{self, Draughts, Drawing, Layer, Lengths, Name, Said, Spot, Way, arrow};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
 use crate::sweep::{Column, InputKind, Sweep};
@@ -146,7 +146,8 @@ impl Diagrams {
             .ok_or(LiveError::Number("the scene's own position lies on no stretch of its course"))?;
         let sketches = sketches(scene, construction, sweep, &start);
         let scales = scales(scene, &sketches, &course);
-        let drawn = drawn(scene, sweep, scales, language)?;
+        let mut drawn = drawn(scene, sweep, scales, language)?;
+        drawn.shortest = shortest(sweep, &course, &start);
         let layers: Vec<Sketch> = (0..drawn.layers.first().map_or(0, Vec::len))
             .filter_map(|layer| Some(with_centres(sketches.first()?, layer, construction, sweep)))
             .collect();
@@ -219,8 +220,11 @@ impl Diagrams {
             .map(|(index, (panel, on))| (index, panel.si_per_mm, on as &dyn Fn(Quantity) -> bool))
             .collect();
         let printed = Printed::of(sweep, (&drawn.places, &drawn.numbers), &polygons, input, first.senses());
-        let said: Vec<Vec<Said>> = draughts.iter().map(Draughts::said).collect();
-        printed.steps(&said, &first.of_an_instant())
+        let said = |lengths: Lengths| -> Vec<Vec<Said>> {
+            draughts.iter().map(|draughts| draughts.said(lengths)).collect()
+        };
+        let taken = TAKEN.map(|lengths| (lengths, said(lengths)));
+        printed.steps(&said(Lengths::Drawn), &taken, &drawn.shortest, &first.of_an_instant())
     }
 
     pub(super) fn json(&self) -> Value {
@@ -435,6 +439,8 @@ struct Drawn {
     circle: Option<(Group, String)>,
     /// Of the scene's own position.
     names: Names,
+    /// See [`shortest`].
+    shortest: Vec<f64>,
 }
 
 /// What has one name, and the name.
@@ -472,6 +478,19 @@ struct Names {
     units: Vec<(DiagramKind, Unit)>,
 }
 
+/// By output the least length of the vector that begins with it, over the course; what begins none has none.
+fn shortest(sweep: &Sweep, course: &[Numbers], start: &Numbers) -> Vec<f64> {
+    let length = |index: usize, numbers: &Numbers| Some(libm::hypot(numbers[index]?, numbers[index + 1]?));
+    let least = |(index, column): (usize, &Column)| match column.axis {
+        Some(0) => {
+            let lengths = course.iter().chain([start]).filter_map(|numbers| length(index, numbers));
+            lengths.fold(f64::INFINITY, f64::min)
+        }
+        _ => f64::INFINITY,
+    };
+    sweep.columns.iter().enumerate().map(least).collect()
+}
+
 fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Result<Drawn, LiveError> {
     let mut all = Drawn {
         places: Vec::new(),
@@ -482,6 +501,7 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         layers: Vec::new(),
         circle: None,
         names: Names::default(),
+        shortest: Vec::new(),
     };
     let home = sweep.stretch_at(sweep.start).cloned();
     let inside = home.into_iter().flat_map(|home| {

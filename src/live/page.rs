@@ -4,13 +4,14 @@ use serde_json::{Value, json};
 
 use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
+use crate::graphical::construction::Reading;
 use crate::markup::escaped;
 use crate::mechanism::LinkId;
-use crate::mechanism::quantity::{Asked, Nature, Quantity, Unit};
+use crate::mechanism::quantity::{Answer, Nature, Quantity, Unit};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
 use crate::sheet::figure::{Figure, Group, Node};
-use crate::sheet::moving::{self, Draughts, Said};
+use crate::sheet::moving::{self, Draughts, Lengths, Said};
 use crate::sheet::{Language, Part, prompt};
 use crate::solve::Solved;
 use crate::sweep::{InputKind, Sweep};
@@ -107,7 +108,7 @@ pub fn page(
             diagrams.said(live.sweep(), input, *language)
         });
         let sweep = moving.as_ref().ok().map(|(live, _)| live.sweep());
-        let steps = steps.unwrap_or_else(|| draughts.said().iter().map(step).collect());
+        let steps = steps.unwrap_or_else(|| draughts.said(Lengths::Drawn).iter().map(step).collect());
         let own = text(scene, &draughts, *language, (panels, steps), sweep);
         texts.insert(language.words().tag.to_owned(), own);
     }
@@ -122,7 +123,7 @@ pub fn page(
     });
     if let Ok((live, _)) = &moving {
         let quantities = quantities(scene, live);
-        data["rows"] = json!(rows(live, &scene.mechanism.asked, &quantities));
+        data["rows"] = json!(rows(live, scene, &construction.answers, &quantities));
         data["quantities"] = quantities.into();
     }
     let script = match &moving {
@@ -138,7 +139,8 @@ pub fn page(
 
 /// What is said of a step of a page that does not move.
 fn step(said: &Said) -> Value {
-    json!({ "step": said.step, "head": said.head, "equations": said.equations, "sentences": said.sentences })
+    let sentences: Vec<&str> = said.sentences.iter().map(|sentence| sentence.text.as_str()).collect();
+    json!({ "step": said.step, "head": said.head, "equations": said.equations, "sentences": sentences })
 }
 
 /// A figure whose ink tells in which step it was drawn.
@@ -248,7 +250,13 @@ fn told(quantity: Quantity, outputs: &[usize], unit: &Unit) -> Value {
         "vector" if outputs.len() == 1 => "number",
         kind => kind,
     };
-    json!({ "kind": kind, "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si })
+    let mut told =
+        json!({ "kind": kind, "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si });
+    // A sweep has the size and the direction of a force in columns of their own.
+    if matches!(quantity, Quantity::Force(..)) && outputs.len() == 2 {
+        told["sized"] = true.into();
+    }
+    told
 }
 
 /// Scripts with one more, before the last, which begins.
@@ -273,7 +281,9 @@ fn bare(script: &str) -> String {
     }
     out.push_str(rest);
     let lines = out.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines.map(|line| tight(line) + "\n").collect()
+    // Where a line ends in what goes on, or ends a block, its end says nothing.
+    let goes_on = |line: &str| line == "}" || line.ends_with([';', '{', ',', '(']);
+    lines.map(|line| tight(line) + if goes_on(line) { "" } else { "\n" }).collect()
 }
 
 /// A line of a script without the blanks beside its signs. Texts stay as they are, and lines with a pattern, whose strokes have no
@@ -402,9 +412,24 @@ fn without(markup: &str, is_left_out: &dyn Fn(&str, &str) -> bool) -> String {
     out
 }
 
+/// What texts are full of: in the data of a page each is one character of those that nobody else uses.
+const TAGS: [(char, &str); 6] = [
+    ('\u{e000}', "<i>"),
+    ('\u{e001}', "</i>"),
+    ('\u{e002}', "<sub>"),
+    ('\u{e003}', "</sub>"),
+    ('\u{e004}', "<sup>"),
+    ('\u{e005}', "</sup>"),
+];
+
 /// JSON as it may stand inside a script element.
 fn embedded(data: &Value) -> String {
-    data.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+    let mut text = data.to_string();
+    for (short, tag) in TAGS {
+        // Who uses it all the same keeps it.
+        text = text.replace(short, &format!("\\u{:04x}", u32::from(short))).replace(tag, &short.to_string());
+    }
+    text.replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
 fn panels(all: &[Panel]) -> String {
@@ -588,11 +613,18 @@ fn isolated(text: &str, language: Language) -> String {
 }
 
 /// The rows of the table of values: what was asked, by name where it is told as the quantity of that name is.
-fn rows(live: &Live<'_>, asked: &[Asked], quantities: &serde_json::Map<String, Value>) -> Vec<Value> {
+fn rows(
+    live: &Live<'_>,
+    scene: &Scene,
+    answers: &[Reading],
+    quantities: &serde_json::Map<String, Value>,
+) -> Vec<Value> {
     let columns = &live.sweep().columns;
+    let asked = &scene.mechanism.asked;
     asked
         .iter()
-        .map(|asked| {
+        .zip(answers)
+        .map(|(asked, reading)| {
             let of = |axis: Option<usize>| {
                 columns.iter().position(|c| c.asked.quantity == asked.quantity && c.axis == axis)
             };
@@ -606,6 +638,10 @@ fn rows(live: &Live<'_>, asked: &[Asked], quantities: &serde_json::Map<String, V
                 return json!(asked.name);
             }
             row["name"] = json!(asked.name);
+            // What is of the whole cycle is the same in every position.
+            if let (Quantity::Cycle(_), Answer::Scalar { value, .. }) = (asked.quantity, &reading.answer) {
+                row["value"] = json!(value);
+            }
             row
         })
         .collect()

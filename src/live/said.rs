@@ -5,12 +5,15 @@
 //! or whose words differ, is said of the scene's own position only. A number that is the product or the quotient of those before
 //! it in its line, as they are printed, is calculated from these everywhere: what was read off paper is rounded, and no output is
 //! so to the last figure. So nothing here knows what a sentence means.
+//!
+//! A sentence that lays a vector off, or reads it, has other words where that is a point on paper: it is told in all of them, and
+//! the page takes those of the position.
 
 use serde_json::{Value, json};
 
 use crate::graphical::is_a_point;
 use crate::mechanism::quantity::Quantity;
-use crate::sheet::moving::{self, Said};
+use crate::sheet::moving::{self, Lengths, Said, Sentence};
 use crate::sweep::Sweep;
 
 /// More figures than this no factor of a line has.
@@ -174,6 +177,16 @@ fn sign(words: &str) -> Option<(Sign, bool)> {
     }
     Some((found?, squared))
 }
+
+/// How long vectors are taken to be, by the names that the words of each have for the page.
+pub(super) const TAKEN: [Lengths; 4] = [Lengths::Arrow, Lengths::Point, Lengths::Unmeasured, Lengths::Zero];
+const NAMES_OF_TAKEN: [&str; 4] = ["arrow", "point", "unmeasured", "zero"];
+/// A vector that is never shorter than this on the paper of the course is a point in no position, mm: what is fitted to a position is
+/// drawn larger, but for few.
+const NEVER_A_POINT: f64 = 4.0;
+
+/// What is said of the positions with vectors taken to be so long.
+pub(super) type Taken = (Lengths, Vec<Vec<Said>>);
 
 /// A text is bound by no fewer positions than this.
 const ENOUGH: usize = 3;
@@ -379,8 +392,20 @@ impl Printed {
     /// A text that is printed so in the positions: as it stands where it is the same in all, in pieces where every number
     /// of it is bound, else under `own`.
     fn text(&self, printed: &[&str], of_an_instant: &[String], told: &mut Calculated) -> Value {
+        let places: Vec<usize> = (0..printed.len()).collect();
+        self.text_at(&places, printed, of_an_instant, told)
+    }
+
+    /// The same of some of the positions, the first of which has the words.
+    fn text_at(
+        &self,
+        places: &[usize],
+        printed: &[&str],
+        of_an_instant: &[String],
+        told: &mut Calculated,
+    ) -> Value {
         let before = told.0.len();
-        let text = self.in_pieces(printed, of_an_instant, told);
+        let text = self.in_pieces(places, printed, of_an_instant, told);
         if text.is_object() {
             // What stands nowhere is not told.
             told.0.truncate(before);
@@ -388,13 +413,19 @@ impl Printed {
         text
     }
 
-    fn in_pieces(&self, printed: &[&str], of_an_instant: &[String], told: &mut Calculated) -> Value {
-        let Some(first) = printed.first() else { return json!("") };
+    fn in_pieces(
+        &self,
+        places: &[usize],
+        printed: &[&str],
+        of_an_instant: &[String],
+        told: &mut Calculated,
+    ) -> Value {
+        let Some(first) = places.first().and_then(|place| printed.get(*place)) else { return json!("") };
         let own = || json!({ "own": first });
         let tokens: Vec<Vec<Token>> = printed.iter().map(|text| self.tokens(text)).collect();
         // Where it is said in other words, too: there this one is not.
         let (at, elsewhere): (Vec<usize>, Vec<usize>) =
-            (0..tokens.len()).partition(|index| alike(&tokens[0], &tokens[*index]));
+            places.iter().partition(|index| alike(&tokens[places[0]], &tokens[**index]));
         let all: Vec<&Vec<Token>> = at.iter().map(|index| &tokens[*index]).collect();
         let Some(one) = all.first().copied().filter(|_| all.len() >= ENOUGH.min(tokens.len())) else {
             return own();
@@ -406,7 +437,7 @@ impl Printed {
         // Of a length that stays the same the paper may not: its scale may be chosen anew in every position.
         let on_paper = |index: usize| matches!(one.get(index + 1), Some(Token::Words(words)) if words.starts_with("\u{a0}mm"));
         let has_paper = (0..one.len()).any(|index| matches!(one[index], Token::Number(_)) && on_paper(index));
-        if !has_sense && !has_paper && printed.iter().all(|text| text == first) {
+        if !has_sense && !has_paper && places.iter().all(|place| printed[*place] == *first) {
             return json!(first);
         }
         let mut pieces: Vec<Value> = Vec::new();
@@ -636,22 +667,29 @@ impl Printed {
         all.into_iter().map(|(_, output)| output).collect()
     }
 
-    /// The steps; the scene's own position is the first.
-    pub(super) fn steps(&self, positions: &[Vec<Said>], of_an_instant: &[String]) -> Vec<Value> {
+    /// The steps; the scene's own position is the first. `shortest`: by output the least length of a vector over the course, SI units.
+    pub(super) fn steps(
+        &self,
+        positions: &[Vec<Said>],
+        taken: &[Taken],
+        shortest: &[f64],
+        of_an_instant: &[String],
+    ) -> Vec<Value> {
         let Some(own) = positions.first() else { return Vec::new() };
         let mut told = Calculated::default();
         // The cells of a table may hold what the lines below it calculate.
-        let lines: Vec<Vec<Value>> = (0..own.len())
-            .map(|index| {
-                let count = own[index].sentences.len();
-                let each = (0..count).map(|s| {
-                    self.said_in(positions, index, of_an_instant, &mut told, &|said| {
-                        said.sentences.get(s).cloned()
-                    })
-                });
-                each.collect()
-            })
-            .collect();
+        let mut lines: Vec<Vec<Value>> = Vec::new();
+        for index in 0..own.len() {
+            let drawn = Lines::of(positions, index);
+            let taken: Vec<Lines<'_>> =
+                taken.iter().map(|(_, positions)| Lines::of(positions, index)).collect();
+            let mut sentences = Vec::new();
+            for key in Lines::keys(&drawn, &taken) {
+                let line = Line { key, drawn: &drawn, taken: &taken };
+                sentences.extend(self.line(&line, shortest, of_an_instant, &mut told));
+            }
+            lines.push(sentences);
+        }
         let mut steps = Vec::new();
         for (index, (said, sentences)) in own.iter().zip(lines).enumerate() {
             let mut equations = Vec::new();
@@ -671,6 +709,106 @@ impl Printed {
         steps
     }
 
+    /// A sentence of a step; none where only another length would have one, and it hangs on none.
+    fn line(
+        &self,
+        line: &Line<'_>,
+        shortest: &[f64],
+        of_an_instant: &[String],
+        told: &mut Calculated,
+    ) -> Option<Value> {
+        let drawn = line.drawn.texts(line.key);
+        if let Some(value) = self.by_length(line, &drawn, shortest, of_an_instant, told) {
+            return Some(value);
+        }
+        let first = drawn.first().copied().flatten()?;
+        Some(match drawn.into_iter().collect::<Option<Vec<&str>>>() {
+            Some(printed) if line.drawn.is_alike => self.text(&printed, of_an_instant, told),
+            _ => json!({ "own": first }),
+        })
+    }
+
+    /// A sentence whose words hang on how long its vector is on paper: the output and the panel of that, and the words of each.
+    fn by_length(
+        &self,
+        line: &Line<'_>,
+        drawn: &[Option<&str>],
+        shortest: &[f64],
+        of_an_instant: &[String],
+        told: &mut Calculated,
+    ) -> Option<Value> {
+        if !line.is_of_length() {
+            return None;
+        }
+        // What would be said with a vector of another length may be nothing.
+        let bare = |texts: Vec<Option<&'_ str>>| -> Vec<String> {
+            texts.into_iter().map(|text| text.unwrap_or_default().to_owned()).collect()
+        };
+        let drawn = bare(drawn.to_vec());
+        let taken: Vec<Vec<String>> = line.taken.iter().map(|lines| bare(lines.texts(line.key))).collect();
+        let words = |text: &str| self.tokens(text);
+        let own = taken.iter().position(|texts| alike(&words(&texts[0]), &words(&drawn[0])))?;
+        let mut all: Vec<Option<Value>> = Vec::new();
+        for (index, texts) in taken.iter().enumerate() {
+            let printed: Vec<&str> = texts.iter().map(String::as_str).collect();
+            let mut value = json!({});
+            if index == own {
+                // As it is drawn, wherever it has these words.
+                let as_drawn: Vec<&str> = drawn.iter().map(String::as_str).collect();
+                let own = words(as_drawn[0]);
+                let places = (0..drawn.len()).filter(|place| alike(&words(as_drawn[*place]), &own));
+                value = self.text_at(&places.collect::<Vec<_>>(), &as_drawn, of_an_instant, told);
+            }
+            if value.is_object() {
+                // Where most positions agree: a length may be zero in one, or not to be measured.
+                let agree = |place: &usize| {
+                    let own = words(printed[*place]);
+                    (0..printed.len())
+                        .filter(|other| alike(&words(printed[*other]), &own))
+                        .collect::<Vec<_>>()
+                };
+                let most = (0..printed.len()).map(|place| agree(&place)).max_by_key(Vec::len)?;
+                value = self.text_at(&most, &printed, of_an_instant, told);
+            }
+            all.push((!value.is_object()).then_some(value));
+        }
+        let Some((output, panel)) = all.iter().flatten().find_map(|value| self.paper_of(value)) else {
+            // Where nobody knows how long it is elsewhere, that it is a point is said of the scene's own position only.
+            return (own > 0).then(|| json!({ "own": drawn[0] }));
+        };
+        let si_per_mm = self.all.iter().find(|c| c.form == Form::OnPaper && c.panel == Some(panel))?.si;
+        let is_ever_short = shortest.get(output)? / si_per_mm < NEVER_A_POINT;
+        let mut value = json!({ "of": [output, panel] });
+        for (index, (name, text)) in NAMES_OF_TAKEN.iter().zip(&all).enumerate() {
+            // The page has the words of a point where it has none for what is shorter.
+            let is_same = index > 1 && all[1] == *text;
+            if let Some(text) =
+                text.as_ref().filter(|_| index == own || index == 0 || is_ever_short && !is_same)
+            {
+                value[name] = text.clone();
+            }
+        }
+        if value.get(NAMES_OF_TAKEN[own]).is_none() {
+            value["own"] = json!(drawn[0]);
+        }
+        Some(value)
+    }
+
+    /// The vector whose length a text tells, and the panel on whose paper it is.
+    fn paper_of(&self, text: &Value) -> Option<(usize, usize)> {
+        let index = |value: &Value| usize::try_from(value.as_u64()?).ok();
+        text.as_array()?.iter().find_map(|piece| {
+            let code = u32::try_from(piece.get(0)?.as_u64()?).ok()?;
+            let output = index(piece.get(1)?)?;
+            if code == READ || code == Form::OnPaper.code() {
+                return Some((output, index(piece.get(4)?)?));
+            }
+            let is_length = code == Form::Length.code();
+            let paper = self.all.iter().find(|c| c.form == Form::OnPaper && c.output == output);
+            Some((output, paper.filter(|_| is_length)?.panel?))
+        })
+    }
+
     /// A text of a step, by what it is in each of the positions.
     fn said_in(
         &self,
@@ -683,11 +821,9 @@ impl Printed {
         let all: Vec<&Said> = positions.iter().filter_map(|position| position.get(index)).collect();
         let Some(said) = all.first() else { return json!("") };
         let alike = all.len() == positions.len()
-            && all.iter().all(|other| {
-                other.step == said.step
-                    && other.sentences.len() == said.sentences.len()
-                    && other.equations.len() == said.equations.len()
-            });
+            && all
+                .iter()
+                .all(|other| other.step == said.step && other.equations.len() == said.equations.len());
         let printed: Option<Vec<String>> =
             if alike { all.iter().map(|said| of(said)).collect() } else { None };
         match printed {
@@ -697,6 +833,70 @@ impl Printed {
             }
             None => json!({ "own": of(said) }),
         }
+    }
+}
+
+/// Where a sentence stands in its step: after the act that was told last, so many sentences of no act.
+type LineKey = (Option<usize>, usize);
+
+/// The sentences of one step in every position.
+struct Lines<'a> {
+    each: Vec<Vec<(LineKey, &'a Sentence)>>,
+    /// The step is the same in all positions.
+    is_alike: bool,
+}
+
+impl<'a> Lines<'a> {
+    fn of(positions: &'a [Vec<Said>], index: usize) -> Self {
+        let said = || positions.iter().filter_map(|position| position.get(index));
+        let step = said().next().map(|said| said.step);
+        let keyed = |said: &'a Said| {
+            let (mut act, mut count) = (None, 0);
+            let key = |sentence: &'a Sentence| {
+                (act, count) = if sentence.act.is_some() { (sentence.act, 0) } else { (act, count + 1) };
+                ((act, count), sentence)
+            };
+            said.sentences.iter().map(key).collect()
+        };
+        Self {
+            each: said().map(keyed).collect(),
+            is_alike: said().count() == positions.len() && said().all(|said| Some(said.step) == step),
+        }
+    }
+
+    /// The sentence of a key in each position.
+    fn texts(&self, key: LineKey) -> Vec<Option<&'a str>> {
+        let text = |all: &Vec<(LineKey, &'a Sentence)>| {
+            all.iter().find(|(own, _)| *own == key).map(|(_, sentence)| sentence.text.as_str())
+        };
+        self.each.iter().map(text).collect()
+    }
+
+    /// All sentences of the scene's own position, in order, with those that it would have if vectors were of another length.
+    fn keys(drawn: &Self, taken: &[Self]) -> Vec<LineKey> {
+        let keys = |lines: &Self| -> Vec<LineKey> {
+            lines.each.first().map_or_else(Vec::new, |all| all.iter().map(|(key, _)| *key).collect())
+        };
+        let own = keys(drawn);
+        let has_all = |more: &Vec<LineKey>| own.iter().all(|key| more.contains(key));
+        taken.iter().map(keys).filter(has_all).max_by_key(Vec::len).unwrap_or(own)
+    }
+}
+
+/// A sentence as it is drawn, and with vectors taken to be of other lengths.
+struct Line<'a> {
+    key: LineKey,
+    drawn: &'a Lines<'a>,
+    taken: &'a [Lines<'a>],
+}
+
+impl Line<'_> {
+    fn is_of_length(&self) -> bool {
+        let all = || std::iter::once(self.drawn).chain(self.taken);
+        let has = |lines: &Lines<'_>| {
+            lines.each.iter().flatten().any(|(key, sentence)| *key == self.key && sentence.is_of_length)
+        };
+        all().all(|lines| lines.is_alike && !lines.each.is_empty()) && all().any(has)
     }
 }
 

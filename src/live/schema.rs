@@ -31,6 +31,7 @@ pub fn schema() -> Value {
         "What is varied; SI units, radians.",
         json!({
             "kind": { "enum": ["angle", "slide", "time"] },
+            "told": { "type": "string", "description": "What stands above its column." },
             "of": { "description": "The number of the driven link, or of the slide.", "type": ["integer", "null"] },
             "over_time": { "type": "boolean" },
             "unit": { "type": "string" },

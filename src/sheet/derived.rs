@@ -8,6 +8,7 @@ use super::notation::Notation;
 use super::printed::{Figures, Key, absolute};
 use super::rich::Rich;
 use crate::graphical::construction::{Act, Calculation, Construction, Diagram, Label, Reading};
+use crate::graphical::is_a_point;
 use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Method, Order, Quantity};
 use crate::mechanism::{Input, LinkId, Mechanism, Path, PointId, Rider, Slide};
 
@@ -302,8 +303,9 @@ impl Teller<'_> {
                 ends_of(asked.quantity, polygon).or_else(|| ends_of(absolute(asked.quantity, n), polygon))
         {
             let mm = size / polygon.si_per_mm;
+            let on_paper = (mm, is_a_point(mm));
             let told = (&mut *self.figures.borrow_mut(), key);
-            all.push(super::steps::read(symbol.clone(), ends, mm, size, polygon, n, told));
+            all.push(super::steps::read(symbol.clone(), ends, on_paper, size, polygon, n, told));
         }
         if asked.unit != unit && self.figures.borrow().has(key) {
             let own = human::with_unit(&self.figures.borrow_mut().tell(key, size, &unit), &unit.symbol);

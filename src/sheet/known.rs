@@ -8,6 +8,7 @@ use super::printed::{Figures, Key, absolute};
 use super::rich::Rich;
 use super::steps::{calculated, read};
 use crate::graphical::construction::{Act, Calculation, Construction, Diagram, Label, Vector};
+use crate::graphical::is_a_point;
 use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 
@@ -131,7 +132,7 @@ impl<'a> Known<'a> {
         let name = self.notation.symbol_from(quantity, from, false);
         let mm = speed / polygon.si_per_mm;
         let mut figures = self.figures.borrow_mut();
-        Some(read(name, ends, mm, speed, polygon, self.notation, (&mut figures, key)))
+        Some(read(name, ends, (mm, is_a_point(mm)), speed, polygon, self.notation, (&mut figures, key)))
     }
 
     /// The images between which a velocity lies.

@@ -19,7 +19,7 @@ use super::words::Language;
 use super::{auxiliary, human, polygon, skeleton, transfer};
 use crate::graphical::auxiliary::{StrokeRole, StrokeShape};
 use crate::graphical::construction::{
-    CentreLine, CentrePlace, CircleDiagram, Claim, Construction, Found, Label, Reference, TransferInk,
+    Act, CentreLine, CentrePlace, CircleDiagram, Claim, Construction, Found, Label, Reference, TransferInk,
     Vector, VectorKind,
 };
 use crate::mechanism::Rider;
@@ -192,8 +192,60 @@ pub struct Said {
     pub head: String,
     /// Vector equations: the terms, each with what is known of it before the step is drawn.
     pub equations: Vec<Vec<Vec<String>>>,
-    /// What is said of the scene's own position.
-    pub sentences: Vec<String>,
+    /// What is said of the position.
+    pub sentences: Vec<Sentence>,
+}
+
+/// A sentence of a step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sentence {
+    /// As hypertext; nothing where a vector of another length would have a sentence here.
+    pub text: String,
+    /// Index of the act that it tells; none of what is calculated.
+    pub act: Option<usize>,
+    /// Its words hang on how long a vector is on paper: it lays one off, or reads one.
+    pub is_of_length: bool,
+}
+
+/// How long every vector is taken to be on paper, for the words of what is laid off and read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lengths {
+    /// As it is.
+    Drawn,
+    /// An arrow.
+    Arrow,
+    /// Too short for an arrow.
+    Point,
+    /// Too short for a ruler.
+    Unmeasured,
+    /// Zero.
+    Zero,
+}
+
+/// A construction of which every vector is taken to be so long. Nothing but what is said of it is of use.
+fn taken(construction: &Construction, lengths: Lengths) -> Construction {
+    let mut construction = construction.clone();
+    if lengths == Lengths::Drawn {
+        return construction;
+    }
+    for vector in construction.diagrams.iter_mut().flat_map(|diagram| &mut diagram.vectors) {
+        vector.as_point = lengths != Lengths::Arrow;
+        vector.is_zero = lengths == Lengths::Zero;
+    }
+    for act in construction.steps.iter_mut().flat_map(|step| &mut step.acts) {
+        if let Act::LayOffVector { mm, .. } = act {
+            match lengths {
+                // Less than a ruler shows.
+                Lengths::Unmeasured => *mm = 0.01,
+                Lengths::Zero => *mm = 0.0,
+                _ => {}
+            }
+        }
+        if let (Act::ReadVector { value, .. }, Lengths::Zero) = (act, lengths) {
+            *value = 0.0;
+        }
+    }
+    construction
 }
 
 /// A construction, and how it is drawn.
@@ -494,13 +546,15 @@ impl<'a> Draughts<'a> {
 
     /// The steps in words.
     #[must_use]
-    pub fn said(&self) -> Vec<Said> {
-        let told = steps::by_step(&self.construction, &self.notation);
+    pub fn said(&self, lengths: Lengths) -> Vec<Said> {
+        let construction = taken(&self.construction, lengths);
+        let told = steps::by_step(&construction, &self.notation);
         let told = told.into_iter().filter(|told| matches!(told.drawn, None | Some(Panel::Diagram(_))));
         told.map(|told| {
             let mut said =
                 Said { step: told.step, head: String::new(), equations: Vec::new(), sentences: Vec::new() };
-            for item in told.items {
+            let acts = construction.steps.get(told.step).map_or(&[][..], |step| &step.acts);
+            for (item, act) in told.items.into_iter().zip(told.acts) {
                 match item {
                     Item::Head(text) if said.head.is_empty() => said.head = text.html(),
                     Item::Head(text) => said.head = format!("{} · {}", said.head, text.html()),
@@ -510,7 +564,12 @@ impl<'a> Draughts<'a> {
                         rows.extend(table.rows.iter().map(|cells| row(cells)));
                         said.equations.push(rows);
                     }
-                    Item::Sentence(text) => said.sentences.push(text.html()),
+                    Item::Sentence(text) => {
+                        let told = act.and_then(|index| acts.get(index));
+                        let is_of_length =
+                            matches!(told, Some(Act::LayOffVector { .. } | Act::ReadVector { .. }));
+                        said.sentences.push(Sentence { text: text.html(), act, is_of_length });
+                    }
                 }
             }
             said

@@ -15,6 +15,7 @@ use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
     LoadSize, MassForces, MomentBalance, MomentTerm, SpringTwist, Touch, Trials, Turning,
 };
+use crate::graphical::is_a_point;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Pressure, Share, Size, Sought,
@@ -680,7 +681,15 @@ impl Teller<'_> {
         let mm = own.acceleration / polygon.si_per_mm;
         let name = self.n.symbol(quantity, false);
         let told = (&mut *self.figures.borrow_mut(), Key::Of(quantity));
-        Some(super::steps::read(name, [Label::Pole, image], mm, own.acceleration, polygon, self.n, told))
+        Some(super::steps::read(
+            name,
+            [Label::Pole, image],
+            (mm, is_a_point(mm)),
+            own.acceleration,
+            polygon,
+            self.n,
+            told,
+        ))
     }
 
     fn body_name(&self, body: &FreeBody) -> Rich {

@@ -16,7 +16,6 @@ use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
 };
-use crate::graphical::is_a_point;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, Link, LinkId, Path, PointId, Rider, Roll, Slide};
@@ -363,7 +362,7 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
 pub fn read(
     vector: Rich,
     [tail, head]: [Label; 2],
-    mm: f64,
+    (mm, is_a_point): (f64, bool),
     value: f64,
     polygon: &Diagram,
     notation: &Notation<'_>,
@@ -376,7 +375,7 @@ pub fn read(
             [("tail", tail), ("head", head)].map(|(name, label)| (name, notation.image(label, polygon.kind)));
         return Rich::fill(words.vector_is_zero, &[("vector", vector), tail, head]);
     }
-    if is_a_point(mm) {
+    if is_a_point {
         let amount = human::with_unit(&figures.tell(key, value, &unit), &unit.symbol);
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
@@ -1004,13 +1003,14 @@ impl Teller<'_> {
                 let key = self.key(vector);
                 let mut figures = self.figures.borrow_mut();
                 // What was calculated is not read once more.
-                if figures.has(key) && !is_a_point(*mm) {
+                if figures.has(key) && !vector.as_point {
                     return None;
                 }
                 if let Some(line) = self.same_arrow(vector, key, &mut figures) {
                     return Some(line);
                 }
-                read(self.name(vector), ends, *mm, *value, self.polygon()?, n, (&mut figures, key))
+                let on_paper = (*mm, vector.as_point);
+                read(self.name(vector), ends, on_paper, *value, self.polygon()?, n, (&mut figures, key))
             }
         };
         Some(sentence)

@@ -55,6 +55,18 @@ pub enum InputKind {
     Slide(usize),
 }
 
+impl InputKind {
+    /// What it is, as it stands above a column.
+    #[must_use]
+    pub fn told(self, mechanism: &Mechanism) -> String {
+        match self {
+            Self::Angle(link) => format!("angle of link {}", mechanism.link(link).number),
+            Self::Slide(slide) => format!("place of slide {}", slide + 1),
+            Self::Time => "time".to_owned(),
+        }
+    }
+}
+
 /// Why a scene cannot be swept.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SweepError {

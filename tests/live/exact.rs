@@ -70,7 +70,17 @@ fn same_as_a_sweep(name: &str, plain: &Sweep, page: &Sweep, wrong: &mut Vec<Stri
 
 #[test]
 fn every_number_of_a_page_is_the_sweep_s_to_the_last_bit() {
-    let (mut cases, mut compared, mut left, mut wrong) = (Vec::new(), 0, Vec::new(), Vec::new());
+    // A file for each scene: the browsers of `.ci/live` read them after this.
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live-exact");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let (mut cases, mut compared, mut left, mut wrong) = (0, 0, Vec::new(), Vec::new());
+    let mut keep = |name: &str, live: &Live<'_>| {
+        std::fs::write(folder.join(format!("{cases}.json")), serde_json::to_vec(&case(name, live)).unwrap())
+            .unwrap();
+        cases += 1;
+        cases
+    };
     let part = if wanted().is_some() { 1 } else { 7 };
     for (name, scene) in scenes().into_iter().step_by(part) {
         let Ok(plain) = Sweep::over(Over::Input, &scene.mechanism, None) else {
@@ -87,12 +97,11 @@ fn every_number_of_a_page_is_the_sweep_s_to_the_last_bit() {
             Err(why) => panic!("{name} is swept, and has no page: {why}"),
         };
         compared += same_as_a_sweep(&name, &plain, live.sweep(), &mut wrong);
-        cases.push(case(&name, &live));
         // Over time, where something moves.
-        if cases.len() % 5 == 0
+        if keep(&name, &live) % 5 == 0
             && let Ok(live) = Live::of(&scene, Over::Time, None)
         {
-            cases.push(case(&format!("{name} over time"), &live));
+            keep(&format!("{name} over time"), &live);
         }
     }
     eprintln!("{compared} numbers of the export are the sweep's; not swept: {}", left.join(", "));
@@ -103,7 +112,7 @@ fn every_number_of_a_page_is_the_sweep_s_to_the_last_bit() {
         wrong[..wrong.len().min(40)].join("\n")
     );
     assert!(compared > 3000, "{compared}");
-    in_node(&cases);
+    in_node(&folder);
 }
 
 fn case(name: &str, live: &Live<'_>) -> Value {
@@ -116,22 +125,15 @@ fn case(name: &str, live: &Live<'_>) -> Value {
     json!({ "name": name, "live": live.json(Language::English), "positions": positions })
 }
 
-fn in_node(cases: &[Value]) {
+fn in_node(folder: &Path) {
     let Ok(version) = Command::new("node").arg("--version").output() else {
         eprintln!("skipped: there is no node to run the page's evaluator in");
         return;
     };
-    // A file for each scene: the browsers of `.ci/live` read them after this.
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live-exact");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    for (index, case) in cases.iter().enumerate() {
-        std::fs::write(folder.join(format!("{index}.json")), serde_json::to_vec(case).unwrap()).unwrap();
-    }
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let run = |turned: &[&str]| {
         let mut node = Command::new("node");
-        node.arg(root.join("tests/live/exact.js")).arg(root.join("src/live/page")).arg(&folder).args(turned);
+        node.arg(root.join("tests/live/exact.js")).arg(root.join("src/live/page")).arg(folder).args(turned);
         node.output().unwrap()
     };
     let told = run(&[]);

@@ -65,7 +65,7 @@ function followAddress(page, address = location.hash.slice(1)) {
 }
 
 function begin() {
-  const live = JSON.parse(byId('linkgram-live').textContent);
+  const live = dataOfPage();
   if (live.format !== 'linkgram-live' || live.version !== 1) {
     byId('title').after(make('p', { class: 'still' }, Object.values(live.texts)[0].words.page_version));
     return;

@@ -30,7 +30,7 @@ function choosesScale(page) {
     show() {
       const { scale, refit, fixed: still } = page.words;
       setText(button, `${scale}: ${page.refit ? refit : still}`);
-      button.setAttribute('aria-pressed', String(page.refit));
+      pressed(button, page.refit);
     },
   });
   return { button, turn };

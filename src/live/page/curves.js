@@ -1,5 +1,12 @@
 // Paths of points, to be chosen, and the diagram of a quantity over the input.
 
+/** The name of a point as it stands beside it: its letters, its primes, and what is set low. @param {string} name */
+function nameInk(name) {
+  const [, letters, primes, low] = /^([^\d']*)('*)(.*)$/.exec(name) || [];
+  return [['i', letters], ['', primes?.replace(/'/g, '\u2032')], ['sub', low]].filter(([, text]) => text)
+    .map(([tag, text]) => (tag ? make(String(tag), {}, String(text)) : String(text)));
+}
+
 /** @param {Page} page */
 function choosesTraces(page) {
   const row = make('div', { class: 'row traces' });
@@ -11,7 +18,7 @@ function choosesTraces(page) {
       if (!isPoint || !moves(page, panel, place)) continue;
       const box = make('input', { type: 'checkbox' });
       box.checked = panel.index === 0 && of.some((/** @type {string} */ name) => page.live.opens.traces.includes(name));
-      row.append(make('label', {}, box, make('bdi', {}, of.join(', '))));
+      row.append(make('label', {}, box, make('bdi', {}, ...of.flatMap((/** @type {string} */ name, /** @type {number} */ i) => [...(i ? [', '] : []), ...nameInk(name)]))));
       /** @type {any} */
       let path = null;
       const draw = () => {

@@ -33,7 +33,7 @@ function showDiagrams(page) {
   }
 
   /** Where vectors leave a panel, by its index: arrows at its border. */
-  const cuts = panels.map(({ svg }) => svg.appendChild(makeInk('path', { class: 'cut' })));
+  const cuts = panels.map(({ svg }) => ({ path: svg.appendChild(makeInk('path', { class: 'cut' })), told: '' }));
 
   /** In words what leaves the panel, with its length, and what crosses too flat. @param {Panel} panel */
   function beyond(panel) {
@@ -49,7 +49,9 @@ function showDiagrams(page) {
       const part = Math.min(...ends.filter((end) => end > 0)), u = { x: d.x / length, y: d.y / length };
       if (part < 1) arrows += [0, -2.5].map((by) => headOf(plus(plus(a, d, part), u, by), u, 2.5)).join(' ');
     }
-    setPath(cuts[panel.index], arrows);
+    const cut = cuts[panel.index];
+    if (cut.told !== arrows) setPath(cut.path, arrows);
+    cut.told = arrows;
     const angle = flattest(panel);
     if (angle < FLAT) said.push(filled(page.text.flat, { angle: degrees(angle) }));
     return said.join(' · ');
@@ -61,7 +63,12 @@ function showDiagrams(page) {
   }
 
   const boxes = panels.map(({ index }) => byId(`figure${index}`));
-  for (const box of boxes) page.watch.observe(box);
+  for (const [index, box] of boxes.entries()) {
+    page.watch.observe(box);
+    // Side by side a millimetre is as long in one as in the other.
+    const [left, , right] = panels[index].data.box;
+    box.style.setProperty('--wide', String(Math.round(right - left)));
+  }
 
   /** What stands below each panel, and the scale that it was last told with. */
   const below = panels.map(({ index }) => ({ scale: byId(`scale${index}`), beyond: byId(`beyond${index}`), told: 0 }));

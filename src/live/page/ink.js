@@ -172,6 +172,7 @@ class Panel {
   show(/** @type {(number | null)[]} */ outputs, /** @type {number} */ at, /** @type {number} */ step, /** @type {boolean} */ own, /** @type {boolean} */ rests) {
     const seen = this.seen(outputs);
     this.now = seen;
+    this.rests = rests;
     for (const ink of this.ink) {
       const wanted = this.senseHolds(ink, outputs) && (ink.step === undefined || ink.step <= step) && (ink.move !== 'still' || own);
       const drawn = wanted && this.move(ink, seen);
@@ -260,7 +261,8 @@ class Panel {
     visible(ink.shaft, !short);
     visible(ink.head, !short);
     if (short) having(ink.dot, { cx: mm(b.x), cy: mm(b.y) });
-    // Drawn all the same: what is copied is measured by its shaft.
+    // At rest it is drawn all the same: what is copied is measured by its shaft.
+    if (short && !this.rests) return true;
     const u = { x: d.x / (length || 1), y: d.y / (length || 1) };
     const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3), wide = Math.min(ink.width, head / 4);
     setPath(ink.shaft, `M${pair(a)} L${pair(plus(b, u, -0.9 * head))}`);

@@ -1,4 +1,4 @@
-// Sine, cosine and atan2 by the routines of FreeBSD's msun, as the crate `libm` 0.2 has them, operation by
+// Sine, cosine, atan2 and hypot by the routines of FreeBSD's msun, as the crate `libm` 0.2 has them, operation by
 // operation: the browsers' own differ in the last place. Arguments up to 2^20 quarter turns.
 //
 // Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved.
@@ -182,4 +182,23 @@ function angleOf(y, x) {
   const z = !right && iy + 0x4000000 < ix ? 0 : arcTangent(Math.abs(y / x));
   if (right) return up ? z : -z;
   return up ? PI - (z - PI_LO) : (z - PI_LO) - PI;
+}
+
+/** A square, and what its rounding left. @param {number} x */
+function squared(x) {
+  const c = x * 134217729, high = x - c + c, low = x - high, square = x * x;
+  return [square, high * high - square + 2 * high * low + low * low];
+}
+
+/** The size of what has two parts. */
+function sizeOfBoth(/** @type {number} */ one, /** @type {number} */ other) {
+  let [y, x] = [Math.abs(one), Math.abs(other)].sort((a, b) => a - b);
+  const [long, short] = [x, y].map((part) => highWord(part) >> 20);
+  if (y === 0) return x;
+  if (long - short > 64) return x + y;
+  const scale = long > 1533 ? 2 ** 700 : short < 573 ? 2 ** -700 : 1;
+  x /= scale;
+  y /= scale;
+  const [hx, lx] = squared(x), [hy, ly] = squared(y);
+  return scale * Math.sqrt(ly + lx + hy + hx);
 }

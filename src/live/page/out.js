@@ -50,15 +50,23 @@ function plainUnit(unit) {
 
 /** As `sweep` has it: a column for each number, its unit in the head, the position first; nothing where none is known. @param {Page} page */
 function csv(page) {
-  const { kind, of, unit } = page.variable;
-  const quoted = (/** @type {string} */ text) => `"${text.replace(/"/g, '""')}"`;
-  const head = [`${kind}${of ? ` ${of}` : ''} [${unit}]`], line = [String(page.place())];
-  for (const quantity of page.rows) {
-    quantity.outputs.forEach((/** @type {number} */ output, /** @type {number} */ axis) => {
-      head.push(`${quantity.name}${axisOf(quantity.outputs, axis)} [${plainUnit(quantity.unit)}]`);
-      const value = page.outputs[output];
-      line.push(value === null ? '' : String(value / quantity.si));
+  const { told: input, unit } = page.variable;
+  const quoted = (/** @type {string} */ text) => (/[",\n\r]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+  const head = [`${input} [${unit}]`], line = [String(page.place())];
+  for (const { name, outputs, unit: own, si, sized } of page.rows) {
+    const put = (/** @type {string} */ part, /** @type {string} */ inUnit, /** @type {number | null} */ value) => {
+      head.push(`${name}${part} [${plainUnit(inUnit)}]`);
+      line.push(value === null ? '' : String(value));
+    };
+    const [x, y] = outputs.map((/** @type {number} */ output) => page.outputs[output]);
+    outputs.forEach((/** @type {number} */ _, /** @type {number} */ axis) => {
+      const value = axis ? y : x;
+      put(axisOf(outputs, axis), own, value === null ? null : value / si);
     });
+    if (!sized) continue;
+    const known = x !== null && y !== null;
+    put('.size', own, known ? sizeOfBoth(x, y) / si : null);
+    put('.direction', '°', known && (x !== 0 || y !== 0) ? angleOf(y, x) * (180 / Math.PI) : null);
   }
   return `${head.map(quoted).join(',')}\r\n${line.join(',')}\r\n`;
 }

@@ -52,12 +52,15 @@ function showsPlace(page, travel, pinnedText, panelText) {
 
   page.add({
     show() {
-      const exact = page.exact(), text = `${page.inUnit(page.at)}${pinnedText()}`, said = `${page.inputName()} = ${withUnit(exact, page.unitSign())}`;
+      const exact = page.exact();
       slider.value = String(page.at);
+      if (document.activeElement !== field) field.value = exact;
+      // What is read aloud or printed is of a position at rest.
+      if (!page.isWhole) return;
+      const text = `${page.inUnit(page.at)}${pinnedText()}`;
       if (text !== last) slider.setAttribute('aria-valuetext', text);
       last = text;
-      if (document.activeElement !== field) field.value = exact;
-      setRich(here, said);
+      setRich(here, `${page.inputName()} = ${withUnit(exact, page.unitSign())}`);
       if (page.playing) return;
       // Half a second after rest, never while it plays.
       clearTimeout(resting);

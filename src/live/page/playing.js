@@ -59,7 +59,7 @@ function plays(page) {
   function speak() {
     const { words, playing } = page, ratio = Math.abs(variable.rate) * seconds() / span;
     setText(button, playing ? words.stop : words.play);
-    button.setAttribute('aria-pressed', String(playing));
+    pressed(button, playing);
     const times = plainText(withPower(Number((ratio >= 1 ? ratio : 1 / ratio).toPrecision(3))));
     setText(pace, ratio === 0 ? '' : filled(ratio >= 1 ? words.slower : words.faster, { times }));
   }

@@ -4,9 +4,14 @@
 // other one stands last, and what a line calculates is `[form, its index, factors, divisors, figures more than usual, those at the start]`.
 const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9, BETWEEN = 10, CALCULATED = 11;
 
+/** The sentences of the steps; of one whose words hang on a length all that it may say. @param {any[]} steps */
+function sentencesOf(steps) {
+  return steps.flatMap(({ sentences }) => sentences).flatMap((text) => (text.of ? [text.arrow, text.point, text.unmeasured].filter(Boolean) : [text]));
+}
+
 /** What lines calculate, by its index. @param {any[]} steps */
 function calculationsOf(steps) {
-  return new Map(steps.flatMap(({ sentences }) => sentences.flat()).filter((piece) => piece[0] === CALCULATED && piece[2]).map((piece) => [piece[1], piece]));
+  return new Map(sentencesOf(steps).flat().filter((piece) => piece[0] === CALCULATED && piece[2]).map((piece) => [piece[1], piece]));
 }
 
 /** The number that was printed so. @param {string | null} text */
@@ -17,7 +22,7 @@ function valueOf(text) {
 /** The figures with which steps tell the numbers that begin with an output: of what is read those of its reading. */
 function figuresOf(/** @type {any[]} */ steps) {
   const figures = new Map();
-  for (const text of steps.flatMap((said) => [...said.sentences, ...said.equations.flat(2)])) {
+  for (const text of [...sentencesOf(steps), ...steps.flatMap((said) => said.equations.flat(2))]) {
     const numbers = Array.isArray(text) ? text.filter((piece) => typeof piece !== 'string') : [];
     for (const [form, output, si, more, panel] of numbers) {
       const known = figures.get(output);
@@ -33,6 +38,8 @@ function figuresOf(/** @type {any[]} */ steps) {
 function readings(page) {
   /** What is read by the scale. */
   let amount = '';
+  /** The words are those of a vector of this length. */
+  let isWorded = false;
 
   /** What a line calculates is calculated from what is printed in it. @param {any} piece @returns {string | null} */
   function calculated([, index]) {
@@ -70,16 +77,27 @@ function readings(page) {
     // The paper is that of the scale in force.
     const { siPerMm } = panels[panel];
     // What is a point on paper is not read off it, nor laid off.
-    if (isPoint(size / siPerMm)) return null;
+    if (!isWorded && isPoint(size / siPerMm)) return null;
     if (form === ON_PAPER) return fixed(size / siPerMm, more);
     const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, more);
     amount = by;
     return read;
   }
 
+  /** What is said of a vector that is so long on paper: as an arrow, a point, less than a ruler shows, or zero. @param {any} text */
+  function wordsOf({ of: [output, panel], arrow, point, unmeasured = point, zero = unmeasured, own }) {
+    const { course, outputs, panels } = page;
+    if (page.isOwn && own !== undefined) return own;
+    if (outputs[output] === null || outputs[output + 1] === null) return null;
+    const mm = clearVector(course, outputs, output)[0] / panels[panel].siPerMm;
+    return isPoint(mm) ? (mm >= 0.05 ? point : mm > 0 ? unmeasured : zero) : arrow;
+  }
+
   /** A text with the numbers of this position; nothing where it is said of the scene's own only. */
-  return (/** @type {any} */ text) => {
-    if (typeof text === 'string') return text;
+  return (/** @type {any} */ any) => {
+    isWorded = Boolean(any.of);
+    const text = isWorded ? wordsOf(any) ?? null : any;
+    if (typeof text === 'string' || text === null) return text;
     if (!Array.isArray(text)) return page.isOwn ? text.own : null;
     const pieces = text.map((piece) => (typeof piece === 'string' ? piece : numberHere(piece)));
     return pieces.includes(null) ? null : pieces.join('');
@@ -139,7 +157,7 @@ function showsSteps(page, light) {
     const lines = said.sentences.map((/** @type {any} */ text) => living(make('li'), text));
     for (const { element, text } of texts.slice(own.length)) {
       const here = textHere(text);
-      if (here === null) element.remove();
+      if (!here) element.remove();
       else setRich(element, here);
     }
     texts = own;
@@ -195,6 +213,7 @@ function showsSteps(page, light) {
       const said = textHere(one.text);
       if (said === null) left += 1;
       setRich(one.element, said === null ? '…' : said);
+      if (one.element.hidden !== (said === '')) one.element.hidden = said === '';
     }
     setText(note, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
     for (const { quantity, value, sense } of values) {

@@ -1,6 +1,6 @@
 // The steps of a page that does not move: ink of later steps is not there, and that of the step is emphasised.
 
-const { texts } = JSON.parse(byId('linkgram-live').textContent);
+const { texts } = dataOfPage();
 const [shownFirst] = Object.keys(texts);
 const lastStep = Math.max(-1, ...texts[shownFirst].steps.map((/** @type {any} */ said) => said.step));
 const stepSlider = make('input', { type: 'range', id: 'step', min: '0', max: String(lastStep + 1), step: '1', value: String(lastStep + 1), dir: 'ltr' });

@@ -60,6 +60,11 @@ function setText(element, text) {
   element.rich = undefined;
 }
 
+/** Whether a button is pressed. */
+function pressed(/** @type {Element} */ button, /** @type {boolean} */ is) {
+  if (button.ariaPressed !== String(is)) button.ariaPressed = String(is);
+}
+
 /** Attributes of an element. @template {Element} E @returns {E} */
 function having(/** @type {E} */ element, /** @type {Record<string, string>} */ attributes) {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
@@ -91,4 +96,10 @@ function allOf(/** @type {string} */ selector) {
 /** @returns {any} */
 function byId(/** @type {string} */ id) {
   return document.getElementById(id);
+}
+
+/** What the page holds. Of tags each is one character there. @returns {any} */
+function dataOfPage() {
+  const tags = ['<i>', '</i>', '<sub>', '</sub>', '<sup>', '</sup>'];
+  return JSON.parse(byId('linkgram-live').textContent.replace(/[\ue000-\ue005]/g, (/** @type {string} */ own) => tags[own.charCodeAt(0) - 0xe000]));
 }

@@ -51,8 +51,9 @@ function amountText(/** @type {Page} */ page, /** @type {number} */ output, /** 
 }
 
 /** Value and sense of a quantity. @returns {{value: string, sense: string}} */
-function told(/** @type {any} */ { kind, outputs: own, si, unit }, /** @type {Page} */ page) {
+function told(/** @type {any} */ { kind, outputs: own, si, unit, value: constant }, /** @type {Page} */ page) {
   const { course, outputs, words } = page;
+  if (constant !== undefined) return { value: withUnit(withPower(constant / si), unit), sense: '' };
   if (own.length === 0 || own.some((/** @type {number} */ i) => outputs[i] === null)) return { value: '—', sense: reasonOf(own, course, words) };
   const clear = (/** @type {number} */ i) => clearNumber(course, outputs, own[i]);
   // Rounded once: the sheet's table tells what was read on its own paper.
