@@ -681,7 +681,7 @@ pub(super) fn is_vector(quantity: &Quantity) -> bool {
 
 /// Whether a number is an angular velocity or acceleration.
 fn is_rate(quantity: &Quantity) -> bool {
-    matches!(measure(quantity), Measure::AngularVelocity | Measure::AngularAcceleration)
+    matches!(quantity.measure(), Measure::AngularVelocity | Measure::AngularAcceleration)
 }
 
 /// Whether a number carries neither sign nor sense.
