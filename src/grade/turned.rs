@@ -3,8 +3,8 @@
 
 use super::case::{Found, Target, polygon, size};
 use crate::graphical::construction::{Construction, Label};
-use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Order;
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 
 /// A turn that is smaller than this is how a sheet lies, and told of nobody: radians.
 const LEVEL: f64 = 0.0145;
@@ -73,8 +73,8 @@ struct Fitted {
 pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Found<'_>]) -> Turns {
     let of = |order: Order| figures.iter().find(|found| found.figure.order == order);
     let all: Vec<Pair> =
-        figures.iter().filter_map(|found| moving_pairs(mechanism, right, found)).flatten().collect();
-    // Fixed points tell how a sheet lies, as long as all else that is drawn does not lie better as it is.
+        figures.iter().filter_map(|found| driven_pairs(mechanism, right, found)).flatten().collect();
+    // Fixed points tell how a sheet lies, as long as what hangs on no other of them does not lie better as it is.
     let believed = |turn: &f64| turn.abs() <= LEVEL || off(&all, *turn) <= off(&all, 0.0);
     let by_fixed = of(Order::Position).and_then(|found| laid_down(mechanism, right, found)).filter(believed);
     let fitted = |order: Order| fit(&pairs(mechanism, right, of(order)?)?);
@@ -137,10 +137,26 @@ fn pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Opti
     pairs_of(mechanism, right, found, |_| true)
 }
 
-/// The same without the fixed points.
-fn moving_pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {
-    let moving = |target: Target| !matches!(target, Target::Place(point) if mechanism.is_fixed(point));
-    pairs_of(mechanism, right, found, moving)
+/// The same of the moving points of driven links alone.
+fn driven_pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {
+    let driven = |point: PointId| {
+        let mut inputs = mechanism.inputs.iter();
+        !mechanism.is_fixed(point)
+            && inputs.any(|input| match *input {
+                Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                    mechanism.link(link).points.contains(&point)
+                }
+                Input::Slide { .. } => false,
+            })
+    };
+    let own_link = |point: PointId, link: Option<LinkId>| {
+        driven(point) && link.is_none_or(|link| mechanism.link(link).points.contains(&point))
+    };
+    pairs_of(mechanism, right, found, |target| match target {
+        Target::Place(point) => driven(point),
+        Target::Image(_, Label::Image { point, link }) => own_link(point, link),
+        _ => false,
+    })
 }
 
 fn pairs_of(

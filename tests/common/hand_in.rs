@@ -42,7 +42,7 @@ pub(crate) struct Closed {
 /// The crank of this length at this angle (radians), and V_A so many times too large.
 pub(crate) fn closed(crank: f64, angle: f64, enlarged: f64) -> Closed {
     let (rod, rate) = (50.0_f64, 10.0);
-    let a = [crank * angle.cos(), crank * angle.sin()];
+    let a = [crank * libm::cos(angle), crank * libm::sin(angle)];
     let d = [(rod * rod - a[1] * a[1]).sqrt(), -a[1]];
     // V_B = V_A + ω₃ × d has no part across the guide, and A_B neither.
     let omega = -enlarged * rate * a[0] / d[0];
