@@ -908,10 +908,12 @@ impl Teller<'_> {
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
-                // By the number that stands there.
+                // By the number that stands there, where that is its length but for rounding: where a rate was too small to be
+                // read, a line has come to nothing, and the vector is there all the same.
                 let scale = self.polygon()?.si_per_mm;
                 let printed = self.figures.borrow().print_of(self.key(vector)).map(Print::si);
-                let shown = printed.map_or(*mm, |si| si / scale);
+                let told = printed.map(|si| si / scale).filter(|told| (told - mm).abs() <= 0.01 * mm.abs());
+                let shown = told.unwrap_or(*mm);
                 let parts = [
                     ("vector", self.name(vector)),
                     ("image", n.image_line(vector.tail, vector.head, diagram)),

@@ -264,6 +264,7 @@ fn panels_of_a_page_are_figures_of_a_sheet() {
         "results",
         "steps",
         "forces",
+        "inertia",
         "loads",
         "bodies",
         "body",
