@@ -675,14 +675,17 @@ pub(super) fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
 
 /// What is told of a diagram: its areas, its levels, and how far these lie apart.
 pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Item> {
-    let unit = &notation.scene.units.torque;
+    let told_in = Unit { symbol: "J".to_owned(), si: 1.0 };
     let list = |values: &[f64], of: fn(u32) -> CycleQuantity| {
         let told: Vec<Rich> = values
             .iter()
             .zip(1_u32..)
             .take(TOLD)
             .map(|(value, k)| {
-                symbol(notation, of(k)).up("\u{a0}=\u{a0}").then(&human::quantity(*value, unit))
+                let size = figures.borrow_mut().tell(Key::Of(Quantity::Cycle(of(k))), *value, &told_in);
+                let sign = if *value < 0.0 { "−" } else { "" };
+                let size = Rich::upright(sign).then(&human::with_unit(&size, &told_in.symbol));
+                symbol(notation, of(k)).up("\u{a0}=\u{a0}").then(&size)
             })
             .collect();
         Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")
@@ -694,7 +697,13 @@ pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>, figures: &RefCe
     if let Some(lines) = table {
         items.extend(lines.into_iter().map(Item::Sentence));
     } else if !sheet.areas.is_empty() {
-        items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area)));
+        if let Some(line) = teller.where_they_cross() {
+            items.push(Item::Sentence(line));
+        }
+        match teller.planimeter() {
+            Some(lines) => items.extend(lines.into_iter().map(Item::Sentence)),
+            None => items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area))),
+        }
         items.push(Item::Sentence(list(&sheet.levels, CycleQuantity::Level)));
     }
     if let Some([highest, lowest]) = sheet.extremes {
@@ -751,8 +760,24 @@ impl Computed<'_> {
         let (minus, over, times) = (" −\u{a0}", "\u{a0}/\u{a0}", "\u{a0}×\u{a0}");
         let turns = if matches!(key, Key::Given(_)) { self.speed_in_radians() } else { None };
         let mean = [
+            // Waves have no mean of their own: what remains is the constant.
+            (asked(CycleQuantity::Work) || asked(CycleQuantity::Mean)).then(|| {
+                let (name, key, value, unit) = self.number(CycleQuantity::Mean, "N*m")?;
+                let unit = Unit { symbol: unit.to_owned(), si: 1.0 };
+                self.constant()?;
+                let told = self.figures.borrow_mut().tell(key?, value, &unit);
+                let sign = if value < 0.0 { "−" } else { "" };
+                let sum = name.up("\u{a0}= (1\u{a0}/\u{a0}").it("θ").sub("C").up(")\u{a0}∫\u{a0}").it("T");
+                let sum = sum.up("\u{a0}d").it("θ").up("\u{a0}= ").up(sign);
+                Some(sum.then(&human::with_unit(&told, &unit.symbol)))
+            }),
+            (asked(CycleQuantity::Work) && self.constant().is_some()).then(|| {
+                let factors = [of(CycleQuantity::Mean, "N*m")?, period()?];
+                let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
+                self.line(of(CycleQuantity::Work, "J")?, &factors, set, |n| n[0] * n[1])
+            }),
             asked(CycleQuantity::Work).then(|| self.work()),
-            asked(CycleQuantity::Mean).then(|| {
+            (asked(CycleQuantity::Mean) && self.constant().is_none()).then(|| {
                 let factors = [of(CycleQuantity::Work, "J")?, period()?];
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
                 self.line(of(CycleQuantity::Mean, "N*m")?, &factors, set, |n| n[0] / n[1])
@@ -764,6 +789,9 @@ impl Computed<'_> {
             }),
         ];
         let table = self.table_lines();
+        if table.is_none() {
+            self.note_levels();
+        }
         let rest = [
             asked(CycleQuantity::Fluctuation).then(|| {
                 let factors = [of(CycleQuantity::Highest, "J")?, of(CycleQuantity::Lowest, "J")?];
@@ -806,10 +834,14 @@ impl Computed<'_> {
         )
     }
 
-    /// The knots of a table over one period, radians and N m: of one driving torque against its mean.
+    /// The knots of a table over one period, radians and N m: of one driving torque, or of one load, against its mean.
     fn knots(&self) -> Option<Vec<[f64; 2]>> {
         let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let Sides::Torque(Course::Curve(Curve::Table { knots, .. })) = &cycle.sides else { return None };
+        let (Sides::Torque(Course::Curve(Curve::Table { knots, .. }))
+        | Sides::Load(Course::Curve(Curve::Table { knots, .. }))) = &cycle.sides
+        else {
+            return None;
+        };
         let knots: Vec<[f64; 2]> = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
         let (first, last) = (knots.first()?, knots.last()?);
         let whole = first[0] == 0.0 && (last[0] - cycle.period.value).abs() < 1e-9;
@@ -851,9 +883,99 @@ impl Computed<'_> {
         line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&text, "J"))
     }
 
-    /// E = Σ ½ (T + T′) Δθ.
+    /// The constant of a sum of waves over whole periods, which is its mean.
+    fn constant(&self) -> Option<f64> {
+        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
+        let (Sides::Torque(Course::Curve(Curve::Harmonics { constant, .. }))
+        | Sides::Load(Course::Curve(Curve::Harmonics { constant, .. }))) = &cycle.sides
+        else {
+            return None;
+        };
+        let Answer::Scalar { value, .. } = self.sheet.answer(CycleQuantity::Mean) else { return None };
+        ((value - constant.value).abs() <= 1e-6 * value.abs()).then_some(value)
+    }
+
+    /// Areas of the paper by their scales: A = 3.25 · 150 · 12°, the angle in radians.
+    fn planimeter(&self) -> Option<Vec<Rich>> {
+        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
+        let Sides::Areas { areas, torque, angle, .. } = &cycle.sides else { return None };
+        if areas.len() > TOLD || areas.len() != self.sheet.areas.len() {
+            return None;
+        }
+        let lines = areas.iter().zip(&self.sheet.areas).zip(1_u32..).map(|((area, value), k)| {
+            let of = CycleQuantity::Area(k);
+            let key = Some(Key::Of(Quantity::Cycle(of)));
+            self.by_scales(symbol(self.notation, of), [area.value, torque.value, angle.value], (key, *value))
+        });
+        Some(lines.collect())
+    }
+
+    /// An area of the paper by the scales of torque and angle.
+    fn by_scales(&self, name: Rich, factors: [f64; 3], (key, value): (Option<Key>, f64)) -> Rich {
+        let unit = |symbol: &str, si: f64| Unit { symbol: symbol.to_owned(), si };
+        let (plain, joule) = (unit("", 1.0), unit("J", 1.0));
+        let degrees = unit("°", std::f64::consts::PI / 180.0);
+        let units = [&plain, &plain, &degrees];
+        let told: Vec<(Option<Key>, f64, &Unit)> =
+            factors.iter().zip(units).map(|(factor, unit)| (None, *factor, unit)).collect();
+        let reckon = |n: &[f64]| n.iter().product::<f64>().to_radians();
+        let result = (key, value.abs(), &joule);
+        let (numbers, text, _) = self.figures.borrow_mut().line_of(&told, result, reckon);
+        let sign = if value < 0.0 { "−" } else { "" };
+        let product = Rich::join(&numbers, &Rich::upright("\u{a0}×\u{a0}"));
+        let line = name.up("\u{a0}= ").up(sign).then(&product).up("\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
+        line.up(sign).then(&human::with_unit(&text, "J"))
+    }
+
+    /// The angles at which the two sides are equal.
+    fn where_they_cross(&self) -> Option<Rich> {
+        let all = &self.sheet.crossings;
+        if all.is_empty() || all.len() > TOLD {
+            return None;
+        }
+        let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
+        let mut figures = self.figures.borrow_mut();
+        let told: Vec<Rich> = all
+            .iter()
+            .zip(1_u32..)
+            .map(|(crossing, k)| {
+                let of = CycleQuantity::Crossing(k);
+                let angle = figures.tell(Key::Of(Quantity::Cycle(of)), crossing.at, &degree);
+                symbol(self.notation, of).up("\u{a0}=\u{a0}").then(&angle).up("°")
+            })
+            .collect();
+        let sides = match self.sheet.constant {
+            Some(0) => Rich::italic("T").sub("l").up("\u{a0}=\u{a0}").it("T").sub("m"),
+            Some(_) => Rich::italic("T").up("\u{a0}=\u{a0}").it("T").sub("m"),
+            None => Rich::italic("T").up("\u{a0}=\u{a0}").it("T").sub("l"),
+        };
+        Some(sides.up(":\u{a0}").then(&Rich::join(&told, &Rich::upright(self.notation.words.comma))).up("."))
+    }
+
+    /// What follows uses the highest and the lowest level as they stand among the levels.
+    fn note_levels(&self) {
+        let key = |of: CycleQuantity| Key::Of(Quantity::Cycle(of));
+        let counted = |index: usize| u32::try_from(index + 1).unwrap_or(u32::MAX);
+        let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
+        let mut figures = self.figures.borrow_mut();
+        for (index, level) in self.sheet.levels.iter().enumerate().take(TOLD) {
+            figures.tell(key(CycleQuantity::Level(counted(index))), *level, &joule);
+        }
+        for (of, index) in [CycleQuantity::Highest, CycleQuantity::Lowest]
+            .into_iter()
+            .zip(self.sheet.extremes.into_iter().flatten())
+        {
+            figures.alias(key(of), key(CycleQuantity::Level(counted(index))));
+        }
+    }
+
+    /// E = Σ ½ (T + T′) Δθ; of an area of the paper by its scales.
     fn work(&self) -> Option<Rich> {
         let (name, key, value, _) = self.number(CycleQuantity::Work, "J")?;
+        let sides = &self.notation.mechanism().forces.cycle.as_ref()?.sides;
+        if let Sides::Areas { torque, angle, total: Some(total), .. } = sides {
+            return Some(self.by_scales(name, [total.value, torque.value, angle.value], (key, value)));
+        }
         let formula =
             name.up("\u{a0}= Σ\u{a0}½\u{a0}(").it("T").up("\u{a0}+\u{a0}").it("T").up("′)\u{a0}Δ").it("θ");
         Some(self.sum(formula, &self.knots()?, (key?, value)))
@@ -863,10 +985,26 @@ impl Computed<'_> {
     fn inertia(&self) -> Option<Rich> {
         let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
         let [rotating] = cycle.rotating.as_slice() else { return None };
-        let RotatingInertia::Mass(mass, radius) = rotating.inertia else { return None };
         if rotating.ratio.value != 1.0 {
             return None;
         }
+        let (mass, radius) = match rotating.inertia {
+            RotatingInertia::Mass(mass, radius) => (mass, radius),
+            RotatingInertia::Weight(weight, radius) => {
+                let g = self.notation.mechanism().forces.gravity.g.value;
+                let factors = [
+                    (Rich::italic("W"), None, weight.value, "N"),
+                    (Rich::italic("g"), None, g, "m/s^2"),
+                    (Rich::italic("ρ"), None, radius.value, "m"),
+                ];
+                let over = "\u{a0}/\u{a0}";
+                let set =
+                    |n: &[Rich]| n[0].clone().up(over).then(&n[1]).up("\u{a0}×\u{a0}").then(&n[2]).up("²");
+                let result = self.number(CycleQuantity::Inertia, "kg*m^2")?;
+                return self.line(result, &factors, set, |n| n[0] / n[1] * n[2] * n[2]);
+            }
+            RotatingInertia::Central(_) => return None,
+        };
         let factors =
             [(Rich::italic("M"), None, mass.value, "kg"), (Rich::italic("ρ"), None, radius.value, "m")];
         let set = |n: &[Rich]| n[0].clone().up("\u{a0}×\u{a0}").then(&n[1]).up("²");
@@ -955,11 +1093,15 @@ impl Computed<'_> {
             let line = line.then(&minus(&high, &x[2], low < 0.0)).up("\u{a0}= ").then(&text).up("°");
             lines.push(line);
         }
+        // A load takes what it is over its mean.
+        let takes = |cycle: &crate::mechanism::cycle::Cycle| matches!(cycle.sides, Sides::Load(_));
+        let gives = if n.mechanism().forces.cycle.as_ref().is_some_and(takes) { -1.0 } else { 1.0 };
         // The excess over the mean from one angle to another, which may lie in the next period.
         let excess = |from: f64, to: f64| {
-            let shifted = |turn: f64| knots.iter().map(move |knot| [knot[0] + turn, knot[1] - mean]);
+            let shifted =
+                |turn: f64| knots.iter().map(move |knot| [knot[0] + turn, gives * (knot[1] - mean)]);
             let all = shifted(0.0).chain(shifted(period).skip(1)).filter(|[at, _]| from < *at && *at < to);
-            let at_zero = if from == 0.0 { knots[0][1] - mean } else { 0.0 };
+            let at_zero = if from == 0.0 { gives * (knots[0][1] - mean) } else { 0.0 };
             let ends = [[from, at_zero]].into_iter().chain(all).chain([[to, 0.0]]);
             ends.collect::<Vec<[f64; 2]>>()
         };

@@ -163,8 +163,11 @@ proptest! {
             let place = s.at(if moving { "A" } else { "B" });
             let centre = s.at(if moving { "C" } else { "Q" });
             both(s.vector(Quantity::Centre(s.l(3), link)), centre, 1e-12);
-            let tangent = libm::atan2(place[0] - centre[0], centre[1] - place[1]);
-            near(libm::sin(s.scalar(Quantity::Angle(s.l(3))) - tangent), 0.0, 1e-12);
+            // Its own x-axis points along the radius, outward.
+            let outward = libm::atan2(place[1] - centre[1], place[0] - centre[0]);
+            let off = s.scalar(Quantity::Angle(s.l(3))) - outward;
+            near(libm::sin(off), 0.0, 1e-12);
+            near(libm::cos(off), 1.0, 1e-12);
         }
     }
 
