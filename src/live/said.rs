@@ -191,6 +191,16 @@ pub(super) type Taken = (Lengths, Vec<Vec<Said>>);
 /// A text is bound by no fewer positions than this.
 const ENOUGH: usize = 3;
 
+/// A length on paper is read to so many decimals of a millimetre, the last as a guard.
+const FINEST: usize = 4;
+
+/// Whether a length on paper is read a place further off than it is, as what would lie half way by the scale.
+fn is_read_beside(text: &str, mm: f64) -> bool {
+    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let place = libm::exp10(-(decimals as f64));
+    (2..=FINEST).contains(&decimals) && number_of(text).is_some_and(|read| (read - mm).abs() <= 1.001 * place)
+}
+
 /// A number as it stands in a text without a power of ten.
 fn number_of(text: &str) -> Option<f64> {
     text.replace('\u{2009}', "").replace('−', "-").parse().ok()
@@ -310,7 +320,7 @@ impl Printed {
                 Form::Size | Form::Signed => moving::printed(value, more) == text,
             };
             let figures = match candidate.form {
-                Form::OnPaper | Form::Between => 1..=2,
+                Form::OnPaper | Form::Between => 1..=FINEST,
                 Form::Direction | Form::Input => 0..=0,
                 _ => 0..=GUARDS,
             };
@@ -319,6 +329,9 @@ impl Printed {
                 Form::Size | Form::Signed => rounds_to(text, value),
                 Form::Length => {
                     rounds_to(text, value) || self.as_read(candidate.output, candidate.si, *place, text)
+                }
+                Form::OnPaper | Form::Between => {
+                    figures.clone().any(|more| is(text, value, more)) || is_read_beside(text, value)
                 }
                 _ => figures.clone().any(|more| is(text, value, more)),
             };
@@ -338,11 +351,17 @@ impl Printed {
     fn as_read(&self, output: usize, si: f64, at: usize, text: &str) -> bool {
         let mut papers = self.all.iter().filter(|c| c.form == Form::OnPaper && c.output == output);
         papers.any(|paper| {
-            (1..=2).any(|decimals| {
-                let read = moving::printed_mm(paper.values[at], decimals)
-                    .parse::<f64>()
-                    .map(|mm| mm * paper.si / si);
-                read.is_ok_and(|read| (0..=GUARDS).any(|more| moving::printed(read, more) == text))
+            (1..=FINEST).any(|decimals| {
+                let place = libm::exp10(-(decimals as f64));
+                let Ok(near) = moving::printed_mm(paper.values[at], decimals).parse::<f64>() else {
+                    return false;
+                };
+                // What would lie half way is read a place further off.
+                let beside: &[f64] = if decimals > 1 { &[0.0, -1.0, 1.0] } else { &[0.0] };
+                beside.iter().any(|places| {
+                    let read = (near + places * place) * paper.si / si;
+                    (0..=GUARDS).any(|more| moving::printed(read, more) == text)
+                })
             })
         })
     }
