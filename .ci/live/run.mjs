@@ -518,7 +518,9 @@ test('steps say what the sheet says there', async () => {
         const [u, v] = both.map((one) => (one.includes('.') ? 10 ** -one.split('.')[1].length : 10 ** /0*$/.exec(one)[0].length));
         // A direction is the same after a turn.
         const turned = text.endsWith('°') && Math.abs(((a - b) % 360 + 540) % 360 - 180) < 0.15;
-        assert.ok(turned || Math.abs(a - b) <= 0.5001 * (u + v), `${line} is not ${own[i]}`);
+        // Sheet and page read with guard figures of their own, a place apart at most: what follows from a reading differs by no
+        // more than half a per cent.
+        assert.ok(turned || Math.abs(a - b) <= 0.5001 * (u + v) + 0.005 * Math.abs(b), `${line} is not ${own[i]}`);
       });
     });
   }
