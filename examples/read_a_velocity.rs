@@ -3,13 +3,12 @@
 use std::error::Error;
 
 use linkgram::mechanism::quantity::Answer;
-use linkgram::plan::Extent;
-use linkgram::{check, scene, sheet, solve};
+use linkgram::{check, scene, solve};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let file = std::env::args().nth(1).ok_or("which scene?")?;
     let scene = scene::read(&std::fs::read_to_string(&file)?, &file)?;
-    let solved = solve::solve(&scene, Extent::Asked, sheet::scale::for_scene)?;
+    let solved = solve::solve_numbers(&scene, solve::Settings::default())?;
     for (asked, reading) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
         let unit = &asked.unit;
         match &reading.answer {

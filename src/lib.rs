@@ -25,7 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! To **solve** it is to draw it: [`solve::solve`] takes the mechanism apart, plans the steps that the questions need and
+//! To **solve** it is to draw it: [`solve::solve_numbers`] takes the mechanism apart, plans the steps that the questions need and
 //! draws them on the board; each asked quantity is read off the drawing, with a bound of its error. The crank of this
 //! slider-crank stands at 90°, so that its rod only translates: the slider is as fast as the crank pin.
 //!
@@ -42,7 +42,7 @@
 //! # }"#;
 //! # let scene = linkgram::scene::read(text, "slider-crank.json")?;
 //!
-//! let solved = linkgram::solve::solve(&scene, linkgram::plan::Extent::Asked, linkgram::sheet::scale::for_scene)?;
+//! let solved = linkgram::solve::solve_numbers(&scene, linkgram::solve::Settings::default())?;
 //! let Some(Answer::Vector { value, bound }) = solved.answer(&scene, "v(B)") else { panic!("v(B) is determined") };
 //! assert!((value[0] - -0.5).abs() <= *bound && value[1].abs() <= *bound); // 50 mm · 10 rad/s, in m/s
 //! assert!(*bound < 1e-14);

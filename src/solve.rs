@@ -130,6 +130,14 @@ pub fn solve(
     solve_with(scene, extent, &[], Settings::default(), choose)
 }
 
+/// The asked numbers and nothing for a page: the same doubles as any sheet has, since numbers depend on no scale.
+///
+/// # Errors
+/// See [`SolveError`].
+pub fn solve_numbers(scene: &Scene, settings: Settings) -> Result<Solved, SolveError> {
+    solve_with(scene, Extent::Asked, &[], settings, |_, extents| extents.filling(100.0))
+}
+
 /// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked, and with
 /// settings of choice.
 ///

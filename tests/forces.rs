@@ -112,6 +112,8 @@ fn units_of_forces() {
         t(r#"{ "on": 4, "pressure": "100 psi", "area": "1 in^2", "direction": 180 }"#),
         444.822_161_526_05 * one,
     );
+    // A bare area is in square millimetres, as a bare bore is in millimetres.
+    near(t(r#"{ "on": 4, "pressure": "28 bar", "area": 100, "direction": 180 }"#), 280.0 * one);
     let unit = crank(
         r#""loads": [ { "on": 4, "force": "1 kN", "direction": 180 } ],
            "find": [ { "name": "T(2)", "unit": "lbf*in" }, { "name": "F(3,4)", "unit": "kgf" } ]"#,

@@ -374,9 +374,7 @@ fn solve_for_check(scene: &Scene, settings: Settings) -> Result<(Agreement, Vec<
     if !scene.published.is_empty() {
         both.to_mut().mechanism.asked.extend(scene.published.iter().map(|p| p.asked.clone()));
     }
-    let solved = crate::solve::solve_with(&both, crate::plan::Extent::Asked, &[], settings, |_, extents| {
-        extents.filling(100.0)
-    })?;
+    let solved = crate::solve::solve_numbers(&both, settings)?;
     let asked = scene.mechanism.asked.len();
     // What was published must not hide that nothing asked is determined.
     crate::solve::determined(&scene.mechanism.asked, &solved.solution.construction.answers[..asked])?;

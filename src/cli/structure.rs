@@ -32,7 +32,8 @@ pub(super) fn run(path: &Path, as_json: bool) -> Result<Ending, Failure> {
 fn pose(scene: &mut Scene) -> Vec<Option<[f64; 2]>> {
     // Nothing is asked but the skeleton.
     scene.mechanism.asked.clear();
-    let Ok(solved) = crate::solve::solve(scene, Extent::WholeSkeleton, crate::sheet::scale::for_scene) else {
+    let of_no_page = |_: &Scene, extents: crate::graphical::Extents| extents.filling(100.0);
+    let Ok(solved) = crate::solve::solve(scene, Extent::WholeSkeleton, of_no_page) else {
         return Vec::new();
     };
     let space = &solved.solution.construction.space;

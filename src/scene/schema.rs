@@ -424,7 +424,7 @@ fn forces() -> Value {
             "in": described("linkNumber", "In whose own coordinates the components are; the world's where it is left out."),
             "torque": or_curve(sought("Size of a torque, counter-clockwise positive.", json!(["12 N*m cw", "?"]))),
             "pressure": or_curve(text_or_number("A pressure on `area` or `bore`.", json!(["28 bar"]))),
-            "area": text_or_number("The area.", json!(["80 cm^2"])),
+            "area": text_or_number("The area; a bare number is in the square of the scene's unit of length.", json!(["80 cm^2"])),
             "bore": described("length", "Diameter of the piston."),
             "rod": described("length", "Diameter of its rod."),
         }),

@@ -560,6 +560,12 @@ impl Scales {
             scale.symbol = format!("{}/{}{power}", of.symbol, time.symbol);
             scale
         };
+        // Two powers of a length cannot overflow an exponent.
+        let square = |of: &Scale| {
+            let mut scale = of.combine(of, false).unwrap_or_else(|| of.clone());
+            scale.symbol = format!("{}^2", of.symbol);
+            scale
+        };
         Ok(Self {
             velocity: rate(&length, 1),
             acceleration: rate(&length, 2),
@@ -574,7 +580,7 @@ impl Scales {
             turning_stiffness,
             pressure: compound("pressure", default(|u| &u.pressure, "Pa"), Measure::Pressure)?,
             power: compound("power", default(|u| &u.power, "W"), Measure::Power)?,
-            area: Scale::parse("m^2", 0)?,
+            area: square(&length),
             length,
             angle,
             time,
