@@ -1122,9 +1122,12 @@ impl Draft {
     /// How the pages fill with blocks of these widths and heights, the skeleton first, where the text is so much longer and
     /// has so much more, and with so much below all, mm.
     pub(super) fn filled(&self, blocks: &[[f64; 2]], (longer, more): (f64, f64), spare: f64) -> Filled {
+        /// More than any sheet has.
+        const MOST_LINES: f64 = 100_000.0;
         let pager = &self.pager;
         let by = |chunk: &Chunk| Chunk { blank: longer * chunk.blank, height: longer * chunk.height };
-        let further = (0..(more / LEADING) as usize).map(|_| Chunk { blank: 0.0, height: LEADING });
+        let further =
+            (0..(more / LEADING).min(MOST_LINES) as usize).map(|_| Chunk { blank: 0.0, height: LEADING });
         let chunks: Vec<Chunk> = self.chunks.iter().copied().chain(further).map(|chunk| by(&chunk)).collect();
         let (bottom, count) = (pager.bottom(), pager.column_count());
         let table = |rows: usize| (rows as f64 + 1.4) * 1.62 * TEXT;
@@ -1228,8 +1231,10 @@ impl Pager {
 
     /// Columns of the steps: two, more on paper that would make their lines too long, one on paper that would break them.
     fn column_count(&self) -> usize {
+        /// Of paper that is larger than any sheet may be, too.
+        const MOST: f64 = 2_000.0;
         let least = if self.width() - GUTTER < 2.0 * NARROWEST_OF_PAIR { 1.0 } else { 2.0 };
-        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().max(least) as usize
+        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().clamp(least, MOST) as usize
     }
 
     fn column(&self) -> f64 {

@@ -16,6 +16,8 @@ pub const LABEL: f64 = 4.0;
 pub const SMALL: f64 = 3.3;
 /// Length of an arrowhead; it is three times as long as wide.
 pub const HEAD: f64 = 2.5;
+/// Strokes of one hatching, however long its line.
+pub const MOST_HATCHES: f64 = 1_000.0;
 /// Length of the arrowhead of a thick vector.
 pub const THICK_HEAD: f64 = 3.0;
 
@@ -76,7 +78,7 @@ pub fn hatch_below(group: &mut Group, a: Point, b: Point) {
     let along = d / length;
     let below = Vec2::new(-along.y, along.x);
     let step = 1.5;
-    let count = (length / step).floor().max(2.0);
+    let count = (length / step).floor().clamp(2.0, MOST_HATCHES);
     let step = length / count;
     let depth = 1.5;
     for i in 0..count as usize {

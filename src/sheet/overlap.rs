@@ -99,6 +99,25 @@ fn encloses(shape: &Shape, p: Point) -> bool {
     inside && !matches!(shape, Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. })
 }
 
+/// A stroke as far as it lies in a box, however far away an end is; itself where it leaves the box nowhere.
+#[must_use]
+pub fn part_inside(a: Point, b: Point, r: Rect) -> Option<(Point, Point)> {
+    if r.contains(a) && r.contains(b) {
+        return Some((a, b));
+    }
+    // Points of a long stroke are found from its nearer end: shares of its length would carry its rounding.
+    let middle = r.center();
+    let far = |p: Point| (p - middle).hypot();
+    let turned = far(a) < far(b);
+    let (from, near) = if turned { (b, a) } else { (a, b) };
+    let reach = far(near) + r.width() + r.height();
+    let d = from - near;
+    let cut = if d.hypot() > reach { near + d / d.hypot() * reach } else { from };
+    let (t0, t1) = clip(cut, near, r)?;
+    let (from, near) = (cut.lerp(near, t0), if t1 < 1.0 { cut.lerp(near, t1) } else { near });
+    Some(if turned { (near, from) } else { (from, near) })
+}
+
 /// The part of a stroke inside a box, as parameters along it (Liang and Barsky).
 #[must_use]
 pub fn clip(a: Point, b: Point, r: Rect) -> Option<(f64, f64)> {

@@ -8,11 +8,12 @@ use super::figure::{Group, Mark, Moment, Pen, Shape, Tone, on_circle};
 use super::growth::Births;
 use super::human;
 use super::ink::{
-    FINE, HEAD, LABEL, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head, hull, page,
+    FINE, HEAD, LABEL, MOST_HATCHES, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head,
+    hull, page,
 };
 use super::labels::{Obstacles, Request, Site, place};
 use super::notation::Notation;
-use super::overlap::overlaps_in;
+use super::overlap::{overlaps_in, part_inside};
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
 use super::positions;
@@ -32,6 +33,8 @@ pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 const HOPELESS: usize = 40;
 /// Half width of a slot in which a pin runs without a block.
 pub(super) const BARE: f64 = PIN + 0.35;
+/// Room for lines about a small skeleton, mm.
+const LEAST_AROUND: f64 = 60.0;
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
@@ -351,8 +354,21 @@ impl Artist<'_> {
         self.bars.append(&mut more);
     }
 
+    /// Where lines may run on the paper: as far around what stands there as that is large. A guide may be stated by a point
+    /// any distance away.
+    pub(super) fn window(&self) -> Rect {
+        let places = self.construction.space.places.iter().flatten().map(|at| page(*at));
+        let own = places.fold(None, |all: Option<Rect>, at| {
+            Some(all.map_or(Rect::from_points(at, at), |all| all.union_pt(at)))
+        });
+        let own = own.unwrap_or(Rect::ZERO);
+        let around = own.width().max(own.height()).max(LEAST_AROUND);
+        own.inflate(around, around)
+    }
+
     fn construction_lines(&self) -> Group {
         let mut all = Group::new("construction");
+        let window = self.window();
         for (index, line) in self.construction.space.lines.iter().enumerate() {
             let born = self.births.map(|births| births.line(index));
             if let Some(arc) = short_arc(line) {
@@ -364,7 +380,10 @@ impl Artist<'_> {
                     // The line of a guide is an axis.
                     let axis = matches!(claim, Some(Claim::Parallel(Reference::Guide(_))));
                     let pen = if axis { Pen::chain(FINE) } else { Pen::solid(FINE) };
-                    let shape = Shape::Line(from, to + d.normalize() * 4.0);
+                    let Some((from, to)) = part_inside(from, to + d.normalize() * 4.0, window) else {
+                        continue;
+                    };
+                    let shape = Shape::Line(from, to);
                     let class = if axis { "axis" } else { "ray" };
                     all.mark_lived(Mark::stroke(shape, pen).class(class).precise(), born);
                 }
@@ -641,7 +660,7 @@ impl Artist<'_> {
         let rim = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
         own.mark(Mark::stroke(rim, Pen::solid(THICK)));
         let depth = if ring { 1.5 } else { -1.5 };
-        let strokes = (2.0 * half * radius / 1.5).floor().max(2.0);
+        let strokes = (2.0 * half * radius / 1.5).floor().clamp(2.0, MOST_HATCHES);
         for i in 0..strokes as usize {
             let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
             let from = on_circle(centre, radius, angle);
@@ -1029,7 +1048,7 @@ fn fixed_arc(at: Point, centre: Point, bare: bool) -> Group {
         }
         let arc = Shape::Arc { centre, radius: surface, start: middle - half, sweep: 2.0 * half };
         own.mark(Mark::stroke(arc, Pen::solid(THICK)).precise());
-        let strokes = (2.0 * half * surface / 1.5).floor();
+        let strokes = (2.0 * half * surface / 1.5).floor().min(MOST_HATCHES);
         for i in 0..strokes as usize {
             let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
             let from = on_circle(centre, surface, angle);

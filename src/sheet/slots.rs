@@ -5,6 +5,7 @@ use kurbo::{Point, Vec2};
 use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
 use super::ink::{FINE, THICK, THIN, dot, turned_rect};
 use super::labels::Site;
+use super::overlap::part_inside;
 use super::pose::GuideLine;
 use super::skeleton::{Artist, BARE, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
 use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
@@ -273,9 +274,11 @@ impl Artist<'_> {
             all.group(own);
         }
         // The radius of a curved slot, where its centre is on the paper.
+        let window = self.window();
         for slide in &self.notation.mechanism().slides {
             let Path::Arc { centre: GuidePoint::Point(centre), .. } = slide.guide.path else { continue };
-            if let (Some(centre), Some(rider)) = (self.pose.place(centre), self.pose.rider(slide)) {
+            let ends = self.pose.place(centre).zip(self.pose.rider(slide));
+            if let Some((centre, rider)) = ends.and_then(|(a, b)| part_inside(a, b, window)) {
                 let axis = Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis");
                 all.mark_lived(axis, self.born_rider(slide));
             }

@@ -10,6 +10,7 @@ use crate::common;
 mod banks;
 mod commands;
 mod dice;
+mod far;
 mod folder;
 mod fuzz;
 mod mutation;
