@@ -617,12 +617,14 @@ fn random_loaded_chains_agree_and_balance() {
     assert!(done >= 40, "{done} done, {left} left out, worst {worst}");
 }
 
-/// The campaign: `cargo test --release --test all forces:: -- --ignored --nocapture`.
+/// The campaign: `cargo test --release --test all forces:: -- --ignored --nocapture`; `LINKGRAM_CHAINS` says how many,
+/// `LINKGRAM_FIRST` the first seed.
 #[test]
 #[ignore = "long"]
 fn many_random_loaded_chains() {
     let many = std::env::var("LINKGRAM_CHAINS").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
-    let (done, left, worst) = campaign(0..many);
+    let first = std::env::var("LINKGRAM_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
+    let (done, left, worst) = campaign(first..first + many);
     println!(
         "{done} chains balanced by both solvers, {left} at a dead centre, worst difference {worst} of the bounds"
     );

@@ -456,12 +456,14 @@ fn random_chains_that_rub_agree() {
     assert!(done >= 10, "{done} done, {left} left out, worst {worst}");
 }
 
-/// The campaign: `cargo test --release --test all friction:: -- --ignored --nocapture`.
+/// The campaign: `cargo test --release --test all friction:: -- --ignored --nocapture`; `LINKGRAM_CHAINS` says how many,
+/// `LINKGRAM_FIRST` the first seed.
 #[test]
 #[ignore = "long"]
 fn many_random_chains_that_rub() {
     let many = std::env::var("LINKGRAM_CHAINS").ok().and_then(|n| n.parse().ok()).unwrap_or(1000);
-    let (done, left, worst) = campaign(0..many);
+    let first = std::env::var("LINKGRAM_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
+    let (done, left, worst) = campaign(first..first + many);
     println!(
         "{done} chains with friction by both solvers, {left} refused, worst difference {worst} of the bounds"
     );

@@ -417,12 +417,14 @@ impl Teller<'_> {
             let mm = libm::hypot(a[0] - b[0], a[1] - b[1]);
             let length = mm * self.construction.space.metres_per_mm;
             let name = self.n.symbol(Quantity::Force(Force::Pull(index), Share::Total), false);
-            let told = [human::millimetres(mm), self.length(length)];
+            let of_length = Key::length([from, to]);
+            let (reading, read) = self.measured(of_length, length, mm);
             let metres_per_mm = self.construction.space.metres_per_mm;
+            let told = [reading, read];
             lines.push(super::steps::measured_length(self.n.length(from, to), told, metres_per_mm, self.n));
             let factors = [
                 Factor::new(stiffness.value, &units.stiffness, "N/m"),
-                Factor::new(length, &units.length, "m"),
+                Factor::new(length, &units.length, "m").of(of_length),
                 Factor::new(free.value, &units.length, "m"),
             ];
             // A spring that is shorter than without load pushes; its pull is told where that is asked.
@@ -517,7 +519,8 @@ impl Teller<'_> {
             Factor::new(free.value + of.further, &radian, "rad"),
         ];
         let torque = &self.n.scene.units.torque;
-        let result = Factor::new(-stiffness.value * of.further, torque, "N\u{a0}m");
+        let result = Factor::new(-stiffness.value * of.further, torque, "N\u{a0}m")
+            .of(self.whole(Force::Twist(of.spring)));
         let formula = Rich::italic("K")
             .sub(&spring.name)
             .up("\u{2009}(")
@@ -560,8 +563,33 @@ impl Teller<'_> {
         let force = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
         let mut lines = Vec::new();
         let turning = own.alpha.filter(|alpha| *alpha != 0.0 && own.inertia.is_some());
+        // Pounds of force are no pounds of mass: there the force is W/g A, and the torque W/g ρ² ε.
+        let tens = libm::log10(units.force.si);
+        let by_weight = match stated.heaviness {
+            Heaviness::Weight(weight) if (tens - libm::round(tens)).abs() > 1e-9 => Some(weight.value),
+            _ => None,
+        };
+        let w = self.n.angular_unit(Order::Acceleration);
+        let torque_by_weight = match (by_weight, stated.inertia) {
+            (Some(weight), Inertia::Gyration(radius)) => {
+                let per = units.force.si / a.si * units.length.si * units.length.si * w.si;
+                ((per / units.torque.si - 1.0).abs() < 1e-9).then_some((weight, radius.value))
+            }
+            _ => None,
+        };
+        let weight_over_g = |weight: f64| {
+            let (text, number) = human::shifted(g / a.si, 0);
+            self.figures.borrow_mut().note(Key::Given("g"), &text, (number, g / a.si), &a);
+            [
+                Factor::new(weight, &units.force, "N").of(Key::OfLink("W", own.link)),
+                Factor::new(g, &a, "m/s²").of(Key::Given("g")),
+            ]
+        };
         match (stated.heaviness, own.mass, own.weight) {
-            (Heaviness::Weight(weight), Some(mass), _) if own.acceleration > 0.0 || turning.is_some() => {
+            (Heaviness::Weight(weight), Some(mass), _)
+                if own.acceleration > 0.0 && by_weight.is_none()
+                    || turning.is_some() && torque_by_weight.is_none() =>
+            {
                 lines.push(self.mass_of_weight(own.link, weight.value, mass));
             }
             (Heaviness::Mass(given), _, Some(weight)) => {
@@ -576,22 +604,28 @@ impl Teller<'_> {
         if let (Some(mass), true) = (own.mass, own.acceleration > 0.0) {
             lines.extend(self.read_acceleration(own));
             inertia_force = mass * own.acceleration;
-            let factors = [
-                Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link)),
-                Factor::new(own.acceleration, &a, "m/s²").of(Key::Of(Quantity::Acceleration(own.centre))),
-            ];
+            let acceleration = self.n.symbol(Quantity::Acceleration(own.centre), false);
+            let read =
+                Factor::new(own.acceleration, &a, "m/s²").of(Key::Of(Quantity::Acceleration(own.centre)));
             let result = Factor::new(inertia_force, &units.force, "N")
                 .of(self.whole(Force::Vector(Action::Inertia(own.link))));
             let of = force(Force::Vector(Action::Inertia(own.link)));
-            let acceleration = self.n.symbol(Quantity::Acceleration(own.centre), false);
-            let formula = name("M").up(DOT).then(&acceleration);
-            let line = self.line(of, formula, &factors, product, |n| n[0] * n[1], result);
+            let line = if let Some(weight) = by_weight {
+                let [weight, g] = weight_over_g(weight);
+                let set = |n: &[Rich]| n[0].clone().up(OVER).then(&n[1]).up(TIMES).then(&n[2]);
+                let formula = name("W").up(OVER).it("g").up(DOT).then(&acceleration);
+                self.line(of, formula, &[weight, g, read], set, |n| n[0] / n[1] * n[2], result)
+            } else {
+                let mass = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link));
+                let formula = name("M").up(DOT).then(&acceleration);
+                self.line(of, formula, &[mass, read], product, |n| n[0] * n[1], result)
+            };
             let against = Rich::fill(self.n.words.against_sense_of, &[("rotation", acceleration)]);
             lines.push(line.aside(self.n.words.comma, &against));
         }
         let (Some(inertia), Some(alpha)) = (own.inertia, turning) else { return lines };
         match (stated.inertia, own.mass) {
-            (Inertia::Gyration(radius), Some(mass)) => {
+            (Inertia::Gyration(radius), Some(mass)) if torque_by_weight.is_none() => {
                 let factors = [
                     Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link)),
                     Factor::new(radius.value, &units.length, "m"),
@@ -625,17 +659,27 @@ impl Teller<'_> {
             }
             _ => {}
         }
-        let w = self.n.angular_unit(Order::Acceleration);
         let torque = inertia * alpha;
-        let factors = [
-            Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link)),
-            Factor::new(alpha.abs(), &w, "rad/s²").of(Key::Of(Quantity::Alpha(own.link))),
-        ];
+        let rate = Factor::new(alpha.abs(), &w, "rad/s²").of(Key::Of(Quantity::Alpha(own.link)));
         let result =
             Factor::new(torque.abs(), &units.torque, "N·m").of(self.whole(Force::InertiaTorque(own.link)));
         let of = force(Force::InertiaTorque(own.link));
-        let formula = name("I").up(DOT).then(&self.n.symbol(Quantity::Alpha(own.link), false));
-        let line = self.line(of.clone(), formula, &factors, product, |n| n[0] * n[1], result);
+        let alpha = self.n.symbol(Quantity::Alpha(own.link), false);
+        let line = if let Some((weight, radius)) = torque_by_weight {
+            let [weight, g] = weight_over_g(weight);
+            let factors = [weight, g, Factor::new(radius, &units.length, "m"), rate];
+            let set = |n: &[Rich]| {
+                let mass = n[0].clone().up(OVER).then(&n[1]);
+                mass.up(TIMES).then(&squared(&n[2])).up(TIMES).then(&n[3])
+            };
+            let mass = name("W").up(OVER).it("g");
+            let formula = mass.up(DOT).then(&name("ρ").squared()).up(DOT).then(&alpha);
+            self.line(of.clone(), formula, &factors, set, |n| n[0] / n[1] * n[2] * n[2] * n[3], result)
+        } else {
+            let inertia = Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link));
+            let formula = name("I").up(DOT).then(&alpha);
+            self.line(of.clone(), formula, &[inertia, rate], product, |n| n[0] * n[1], result)
+        };
         lines.push(line.word(self.n.sense(-torque)));
         if inertia_force > 0.0 {
             let factors = [
