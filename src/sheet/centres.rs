@@ -87,17 +87,30 @@ fn drawn(
 
 /// The skeleton's ink with as many centres as find room.
 fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Rect {
-    let place = |centre: &Centre| Some((on_paper(centre)?, is_needed(centre, circle, notation.mechanism())));
+    let place = |centre: &Centre| {
+        let at = on_paper(centre)?;
+        Some((at, is_needed(centre, at, skeleton, circle, notation.mechanism())))
+    };
     let places: Vec<(Point, bool)> = circle.centres.iter().filter_map(place).collect();
     window_over(skeleton, &places, compose::free_paper(notation.scene))
 }
 
-/// Whether a scene asks for a centre itself, or a velocity is carried over by it.
-pub(super) fn is_needed(centre: &Centre, circle: &CircleDiagram, mechanism: &Mechanism) -> bool {
+/// Whether the paper is chosen for a centre, which lies so beside a skeleton: a velocity is carried over by it, or the scene
+/// asks for it and it is not so far off that nobody could read the skeleton any more.
+pub(super) fn is_needed(
+    centre: &Centre,
+    at: Point,
+    skeleton: Rect,
+    circle: &CircleDiagram,
+    mechanism: &Mechanism,
+) -> bool {
+    /// So many times the skeleton's size away.
+    const FAR: f64 = 3.0;
     let [i, j] = centre.links;
     let wanted = [Quantity::Centre(i, j), Quantity::Centre(j, i)];
-    let asked = mechanism.asked.iter().any(|asked| wanted.contains(&asked.quantity));
-    asked || transfer::used(circle.transfers.iter()).contains(&centre.links)
+    let far = at.distance(skeleton.center()) > FAR * skeleton.width().max(skeleton.height());
+    let asked = || mechanism.asked.iter().any(|asked| wanted.contains(&asked.quantity));
+    (!far && asked()) || transfer::used(circle.transfers.iter()).contains(&centre.links)
 }
 
 /// What a figure shows of the plane: the skeleton's ink with as many centres as find room, the nearest first; those that

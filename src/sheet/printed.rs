@@ -248,12 +248,16 @@ impl Figures {
         self.printed.get(&key)
     }
 
-    /// The number to which the steps have come for a value, with its sign; none where they have not told it, or where what
-    /// was rounded on the way has moved the last figure by more than one: the result is then its own number, rounded once.
+    /// The number to which the steps have come for a value, with its sign; none where they have not told it, or where they
+    /// have come farther from it than readings of four figures and what follows from their squares can: the result is then
+    /// its own number, rounded once.
     pub(super) fn told(&self, key: Key, si: f64) -> Option<f64> {
+        /// Half a unit in the fourth figure is 0.05 % of a reading at most, and twice that of its square.
+        const OF_READINGS: f64 = 1e-3;
         let print = self.printed.get(&key)?;
         let exact = si.abs() / print.unit.si;
-        let near = (print.number - exact).abs() <= human::last_place(exact) * (1.0 + 1e-9);
+        let room = human::last_place(exact).max(OF_READINGS * exact);
+        let near = (print.number - exact).abs() <= room * (1.0 + 1e-9);
         near.then_some(libm::copysign(print.number * print.unit.si, si))
     }
 

@@ -168,7 +168,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         stretch: stretch(scene),
         paper: free_paper(scene),
         draft: drawn.map(|drawn| Draft::of(scene, drawn)),
-        others: drawn.map_or_else(Others::default, |drawn| Others::of(scene, drawn)),
+        others: drawn.map_or_else(Others::default, |drawn| Others::of(scene, drawn, &extents.joints)),
         known: RefCell::default(),
     };
     let best = choices.best();
@@ -215,7 +215,7 @@ struct Others {
     legend: bool,
     /// How many links the circle diagram has; none where there is none.
     circle: Option<usize>,
-    /// The instant centres, m from the origin of the joints, and whether each is asked for or used.
+    /// The instant centres, m from the origin of the joints, and whether each is used, or asked for and not far off.
     centres: Vec<([f64; 2], bool)>,
     /// Of each figure that carries velocities over, where its arcs begin and end, m.
     turned: Vec<Vec<[f64; 2]>>,
@@ -226,13 +226,19 @@ struct Others {
 }
 
 impl Others {
-    fn of(scene: &Scene, drawn: &Construction) -> Self {
+    fn of(scene: &Scene, drawn: &Construction, joints: &[[f64; 2]]) -> Self {
         let mechanism = &scene.mechanism;
+        let point = |[x, y]: &[f64; 2]| Point::new(*x, *y);
+        let place = joints.iter().map(|own| Rect::from_points(point(own), point(own)));
+        let place = place.reduce(|a, b| a.union(b)).unwrap_or_default();
         let apart = |method: Method| matches!(method, Method::TwoMasses { .. } | Method::Lever);
         let forces = |quantity: Quantity| matches!(quantity, Quantity::Force(..) | Quantity::Cycle(_));
         let metres = |at: Mm2| at.map(|x| x * drawn.space.metres_per_mm);
         let centre = |circle: &CircleDiagram, centre: &Centre| match centre.place {
-            CentrePlace::At(at) => Some((metres(at), is_needed(centre, circle, mechanism))),
+            CentrePlace::At(at) => {
+                let at = metres(at);
+                Some((at, is_needed(centre, point(&at), place, circle, mechanism)))
+            }
             CentrePlace::Toward(_) => None,
         };
         let centres = |circle: &CircleDiagram| {
