@@ -318,3 +318,51 @@ fn messages_name_what_is_wrong() {
     assert!(told.contains("decimal comma"), "{told}");
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+/// Velocities twice as large throughout, and A_D half as large again as it follows from them (2490): no drawing has all of
+/// that. Before, the drawings that have some of a student's answers led to it.
+#[test]
+fn what_no_drawing_of_the_student_leads_to_does_not_follow() {
+    let name = "s000-ch3a-1.json";
+    let text = std::fs::read_to_string(format!("{}/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let scene = scene::read(&text, name).unwrap();
+    let verdict = |own: &str| {
+        let vector = |size: &str, at: f64| json!({ "magnitude": size, "direction": at });
+        let turning = |value: &str, sense: &str| json!({ "value": value, "sense": sense });
+        let answers = json!({ "values": {
+            "v(B)": vector("351 cm/s", 14.5), "omega(3)": turning("8.8 rad/s", "ccw"),
+            "omega(4)": turning("11.7 rad/s", "ccw"), "v(D)": vector("358 cm/s", -179.9),
+            "omega(5)": turning("2.46 rad/s", "cw"), "an(B/A)": vector("3490 cm/s^2", 151.0),
+            "a(B)": vector("4550 cm/s^2", 130.1), "alpha(3)": turning("65.1 rad/s^2", "ccw"),
+            "alpha(4)": turning("66.2 rad/s^2", "cw"), "a(D)": vector(own, -0.1),
+            "alpha(5)": turning("94.6 rad/s^2", "cw")
+        } });
+        let report = graded(&scene, &answers);
+        report.quantities.iter().find(|one| one.name == "a(D)").unwrap().verdict
+    };
+    assert_eq!(verdict("2490 cm/s^2"), Verdict::Consistent);
+    assert_eq!(verdict("3740 cm/s^2"), Verdict::Wrong);
+}
+
+/// Zero, and one newton for thousands, follow from nothing that is shown.
+#[test]
+fn nothing_throughout_brings_no_marks() {
+    let text = json!({
+        "title": "Gas force", "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 200 } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2", "angle": 0 } }],
+        "near": { "B": [245, 0] },
+        "input": { "link": 2, "angle": 40, "omega": "1000 rpm ccw" },
+        "loads": [{ "name": "P", "on": 4, "at": "B", "pressure": "18 bar", "bore": 80, "direction": 180 }],
+        "find": ["load(P)", "F(3,4)", "F(1,4)", "F(1,2)", "T(2)"]
+    });
+    let scene = scene::read(&text.to_string(), "gas.json").unwrap();
+    for one in [0.0, 1.0] {
+        let values =
+            ["load(P)", "F(3,4)", "F(1,4)", "F(1,2)", "T(2)"].map(|name| (name.to_owned(), json!(one)));
+        let answers = json!({ "values": values.into_iter().collect::<serde_json::Map<_, _>>() });
+        let report = graded(&scene, &answers);
+        assert!(report.quantities.iter().all(|one| one.verdict == Verdict::Wrong), "{report:?}");
+    }
+}

@@ -1109,7 +1109,7 @@ impl<'s> Case<'s> {
         if observation.stated.is_some_and(|stated| stated > 0.0) || is_place(observation) {
             return free;
         }
-        match (observation.target, observation.quantity) {
+        let most = match (observation.target, observation.quantity) {
             (Target::Asked(_), Some(quantity)) => {
                 let [by, turn] = self.ground.most(&quantity, seen);
                 Room { by: by + self.rounding(observation, size(seen)), turn }
@@ -1119,7 +1119,17 @@ impl<'s> Case<'s> {
                 let part = self.ground.standard().max_tolerance * size(seen);
                 Room::of(least.max(part + self.rounding(observation, size(seen))))
             }
+        };
+        // What a reading may be off of a large vector is all of a small one: no larger part of the value is allowed than
+        // of the right one.
+        let right = self.truth[index].as_deref().map_or(0.0, size);
+        let usual = self.accepted(index).by;
+        if right <= usual {
+            return most;
         }
+        let part = self.ground.standard().max_tolerance.max(usual / right);
+        let by = most.by.min(part * size(seen) + self.rounding(observation, size(seen)));
+        Room { by: by.max(ROUNDING * right), ..most }
     }
 
     /// What was rounded in writing down a length or a place of the drawing.

@@ -145,6 +145,7 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
             _ => None,
         })
         .collect();
+    let shown = (0..count).any(|i| verdicts[i] == Some(Verdict::Right) && !case.is_zero(i));
     let mut drawn = Change::default();
     let mut faults = Vec::new();
     let mut caused = vec![None; count];
@@ -171,8 +172,11 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let Some(numbers) = seen[index].as_deref() else { continue };
             let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(case.most(index, numbers));
-            let left_out = faults.last().is_some_and(Fault::leaves_out);
-            let tells = left_out || case.tells(index, numbers, allowed);
+            // That something is nothing shows nothing, but of what is left out by whoever has something else right.
+            let tells = match case.hands_in_nothing(index) {
+                true => shown && case.is_zero(index) && faults.last().is_some_and(Fault::leaves_out),
+                false => case.tells(index, numbers, allowed),
+            };
             if verdict.is_none() && tells && case.miss(index, Some(numbers), allowed) <= 1.0 {
                 *verdict = Some(Verdict::Consistent);
                 caused[index] = faults.len().checked_sub(1);

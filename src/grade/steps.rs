@@ -53,6 +53,7 @@ pub(super) fn lead_to(
             let change = base.and(change);
             let Some(sketch) = case.drawn(&change, None) else { return false };
             case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
+                && is_the_students(case, verdicts, index, &case.seen(&sketch, &change))
         };
         if tried(&wrong, &right).iter().take(DRAWINGS).any(leads) {
             return true;
@@ -60,6 +61,28 @@ pub(super) fn lead_to(
     }
     false
 }
+
+/// Whether a drawing has all that the student handed in before an answer and that is judged: one that has only a part of
+/// it is nobody's drawing, and some such leads near any number.
+fn is_the_students(
+    case: &Case<'_>,
+    verdicts: &[Option<Verdict>],
+    index: usize,
+    seen: &[Option<Vec<f64>>],
+) -> bool {
+    let judged = |other: &usize| {
+        let verdict = verdicts[*other];
+        !matches!(verdict, None | Some(Verdict::NotChecked)) && !case.hands_in_nothing(*other)
+    };
+    (0..index).filter(judged).all(|other| {
+        let [own, right] = [&seen[other], &case.truth[other]].map(|n| n.as_deref().map_or(0.0, size));
+        let larger = if right > 0.0 { (own / right).max(1.0) } else { 1.0 };
+        case.miss(other, seen[other].as_deref(), case.rooms[other].times(HIS * larger)) <= 1.0
+    })
+}
+
+/// An answer is met by a drawing of the student's own numbers if it misses by no more than so many tolerances.
+const HIS: f64 = 1.5;
 
 /// Own answers in the drawing: all of them, with and without those that are right, each alone, and any two.
 fn tried(wrong: &[Vec<Change>], right: &[Vec<Change>]) -> Vec<Change> {
