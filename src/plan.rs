@@ -558,6 +558,15 @@ impl Wanted<'_> {
                 self.mass(&mass, share);
             }
         }
+        // What a guide and a link that rides on it exert on each other acts at the rider's first joint.
+        for slide in &mechanism.slides {
+            if let Rider::Link { link, .. } = slide.rider
+                && (links.contains(&link) || links.contains(&slide.guide.link))
+                && let Some(&point) = mechanism.link(link).points.first()
+            {
+                self.point(point, Order::Position);
+            }
+        }
         for &group in &groups {
             self.group(group, Order::Position);
         }

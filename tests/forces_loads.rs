@@ -545,3 +545,22 @@ fn the_stiffness_of_a_torsion_spring_has_its_unit() {
     near(torque("", r#""100 N*mm/rad""#), -0.1 * turned);
     near(torque(r#", "stiffness": "N*mm/rad""#, "100"), -0.1 * turned);
 }
+
+/// What a guide exerts on a link that rides on it acts at the link's first joint, whether or not that is asked. A yoke: the
+/// load (-94, -34.2) N at D, the pin's push along the ride at A, the guide's push square to it, and its couple.
+#[test]
+fn the_moment_of_a_ride_needs_no_other_question() {
+    let scene = read(
+        r#"{ "fixed": { "O2": [0, 0] }, "placed": { "A": [3, 2], "C": [-4, 1], "D": [-1, 4] },
+             "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["C", "D"] } },
+             "slides": [ { "link": 3, "on": { "link": 1, "through": [-4, 1], "angle": 0 } },
+                         { "pin": "A", "on": { "link": 3, "through": [3, 2], "angle": 90 } } ],
+             "input": { "link": 2, "omega": 3 },
+             "loads": [ { "on": 3, "at": "D", "force": 100, "direction": 200 } ], "find": ["moment(F(1,3),O2)"] }"#,
+    );
+    let (sine, cosine) = libm::sincos(200.0_f64.to_radians());
+    let load = [100.0 * cosine, 100.0 * sine];
+    let of_load = -load[1] - 4.0 * load[0];
+    let of_pin = 2.0 * load[0];
+    near(answers(&scene)["moment(F(1,3),O2)"][0], -(of_load + of_pin));
+}
