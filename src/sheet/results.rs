@@ -10,7 +10,7 @@ use crate::mechanism::force::{Force, Share};
 use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Method, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions: the numbers to which the steps have come
-/// where these are the result to a unit of its last figure, in the figures of a result.
+/// where these are the result as far as readings tell it, in the figures of a result.
 #[must_use]
 pub fn table(
     construction: &Construction,
