@@ -862,6 +862,8 @@ fn rows_of(table: &Group) -> Vec<Vec<&Text>> {
 fn a_table_prints_what_the_steps_come_to() {
     /// Units of the last figure: what the steps come to may miss the answer by one, and is rounded.
     const ROUNDED: f64 = 1.5;
+    /// Half a unit in the fourth figure of a reading, in its square.
+    const OF_READINGS: f64 = 1e-3;
     // Subscripts and superscripts as the characters that they are.
     let plain = |text: &str| -> String {
         let place = |c: char| "₀₁₂₃₄₅₆₇₈₉".chars().position(|own| own == c);
@@ -915,16 +917,17 @@ fn a_table_prints_what_the_steps_come_to() {
                 let lines = || told.iter().filter(|(own, numbers)| *own == symbol && !numbers.is_empty());
                 let differs = |other: f64, room: f64| (shown.abs() - other).abs() > room * (1.0 + 1e-6);
                 derived += lines().count().min(1);
-                // What is not told from zero reads as zero, whatever its lines come to; so is a number its own where what was
-                // rounded on the way to them has moved its last figure by more than one.
+                // What is not told from zero reads as zero, whatever its lines come to; so is a number its own where its lines
+                // have come farther from it than readings of four figures, and their squares, explain.
                 let numbers = || lines().flat_map(|(_, numbers)| numbers);
                 // Three figures, four from a thousand on.
                 let figures = if answer >= 1000.0 { 4.0 } else { 3.0 };
                 let unit = libm::exp10(libm::floor(libm::log10(answer)) + 1.0 - figures);
-                let near = numbers().any(|other| (other - answer).abs() <= unit);
+                let readable = unit.max(OF_READINGS * answer);
+                let near = numbers().any(|other| (other - answer).abs() <= readable);
                 let unlike = shown != 0.0 && near && numbers().all(|other| differs(*other, half));
                 own += usize::from(lines().next().is_some() && !near);
-                let room = if near { ROUNDED * unit } else { half };
+                let room = if near { (ROUNDED * unit).max(OF_READINGS * answer + half) } else { half };
                 if unlike || differs(answer, room) {
                     wrong.push(format!("{}: {symbol} = {shown}, and it is {answer}", kind.name));
                 }
