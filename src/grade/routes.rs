@@ -89,6 +89,25 @@ fn under(mechanism: &Mechanism, order: Order, point: PointId, link: LinkId) -> O
     }
 }
 
+/// What is open in a polygon: the rate of a link, or how far a rider slips along a guide of a link in this direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Open {
+    Rate(LinkId),
+    Slip(LinkId, Xy),
+}
+
+/// A way to the image of a joint: as far as it is known, and what is open of it, along which vectors.
+struct Side {
+    base: Own<Xy>,
+    open: Vec<(Open, Xy)>,
+}
+
+/// The image of a joint at which two ways meet, and the two numbers that were open.
+struct Closing {
+    image: Own<Xy>,
+    open: [(Open, Own<f64>); 2],
+}
+
 struct Desk<'d, 's> {
     case: &'d Case<'s>,
     base: &'d Sketch,
@@ -282,6 +301,15 @@ impl Desk<'_, '_> {
                 if let Quantity::Velocity(_) = target {
                     ways.extend(self.by_centres(p));
                 }
+                ways.extend(self.closings(target.order(), p).into_iter().map(|closing| closing.image));
+            }
+            Quantity::Slip(p, link) | Quantity::SlipAcceleration(p, link) => {
+                let closings = self.closings(target.order(), p).into_iter().flat_map(|closing| closing.open);
+                let slips = closings.filter_map(|(open, value)| match open {
+                    Open::Slip(of, along) if of == link => Some(value.map(|value| times(along, value))),
+                    _ => None,
+                });
+                ways.extend(slips);
             }
             Quantity::RelativeVelocity(to, from) => {
                 for link in self.links_of(to, from) {
@@ -351,6 +379,26 @@ impl Desk<'_, '_> {
             let at = images.iter().rev().find(|image| own(image.label))?.at;
             Some(Own::known(times(at, self.case.si_per_mm(order))))
         })
+    }
+
+    /// The same, or carried by the rates of its link about a pivot of the frame.
+    fn known_or_carried(&self, quantity: Quantity, point: PointId) -> Option<Own<Xy>> {
+        let about_pivot = |link: LinkId| {
+            let holds = self.case.mechanism.link(link).points.contains(&point);
+            let pivot = self.pivot(link).filter(|_| holds)?;
+            let arm = self.arm(pivot, point)?;
+            match quantity.order() {
+                Order::Velocity => {
+                    Some(self.scalar(Quantity::Omega(link))?.map(|omega| times(left(arm), omega)))
+                }
+                _ => {
+                    let normal = self.normal_of(link, pivot, point)?;
+                    let turned = self.scalar(Quantity::Alpha(link))?.map(|alpha| times(left(arm), alpha));
+                    Some(turned.with(normal, plus))
+                }
+            }
+        };
+        self.known(quantity, point).or_else(|| self.case.mechanism.moving().find_map(about_pivot))
     }
 
     /// Where the image of a point stands on the student's polygon, as far as that is known.
@@ -588,8 +636,13 @@ impl Desk<'_, '_> {
     fn scalars(&self, target: Quantity) -> Vec<Own<f64>> {
         let two = |a: Quantity, b: Quantity| self.scalar(a).zip(self.scalar(b));
         match target {
-            Quantity::Omega(link) => [self.rates(target, link), self.rates_by_centres(link)].concat(),
-            Quantity::Alpha(link) => self.rates(target, link),
+            Quantity::Omega(link) => {
+                let closed = self.closed_rates(Order::Velocity, link);
+                [self.rates(target, link), self.rates_by_centres(link), closed].concat()
+            }
+            Quantity::Alpha(link) => {
+                [self.rates(target, link), self.closed_rates(Order::Acceleration, link)].concat()
+            }
             Quantity::RelativeOmega(i, j) => {
                 let both = two(Quantity::Omega(i), Quantity::Omega(j));
                 both.map(|(a, b)| a.with(b, |a, b| a - b)).into_iter().collect()
@@ -611,6 +664,112 @@ impl Desk<'_, '_> {
             Quantity::Cycle(of) => self.of_cycle(of),
             _ => Vec::new(),
         }
+    }
+
+    // --- polygons that close at a joint ----------------------------------------------------------
+
+    /// ω or ε of a link by every polygon that closes at one of its points.
+    fn closed_rates(&self, order: Order, link: LinkId) -> Vec<Own<f64>> {
+        let points = (0..self.case.mechanism.points.len()).map(PointId);
+        let open = points.flat_map(|point| self.closings(order, point)).flat_map(|closing| closing.open);
+        open.filter_map(|(open, value)| matches!(open, Open::Rate(of) if of == link).then_some(value))
+            .collect()
+    }
+
+    /// Where the two lines cross that lead to a joint from what is known on either side.
+    fn closings(&self, order: Order, point: PointId) -> Vec<Closing> {
+        let sides = self.sides(order, point);
+        let mut closings = Vec::new();
+        for (place, one) in sides.iter().enumerate() {
+            for other in &sides[place + 1..] {
+                let back = other.open.iter().map(|&(open, along)| (open, along, times(along, -1.0)));
+                let lines: Vec<(Open, Xy, Xy)> =
+                    one.open.iter().map(|&(open, along)| (open, along, along)).chain(back).collect();
+                let [(first, from_one, d), (second, _, e)] = lines[..] else { continue };
+                let sine = cross(d, e);
+                if first == second || sine.abs() <= FLAT * size(&d) * size(&e) {
+                    continue;
+                }
+                let lengths = one.base.with(other.base, |one, other| {
+                    let gap = minus(one, other);
+                    [-cross(gap, e) / sine, -cross(d, gap) / sine]
+                });
+                let [far, near] = [lengths.map(|[far, _]| far), lengths.map(|[_, near]| near)];
+                let image = match one.open.len() {
+                    0 => one.base,
+                    1 => one.base.with(far, |base, far| plus(base, times(from_one, far))),
+                    _ => other.base,
+                };
+                closings.push(Closing { image, open: [(first, far), (second, near)] });
+            }
+        }
+        closings
+    }
+
+    /// All that leads to a joint: itself, the points of its links that are known, the guides on which it slides.
+    fn sides(&self, order: Order, point: PointId) -> Vec<Side> {
+        let whole = |point: PointId| match order {
+            Order::Velocity => Quantity::Velocity(point),
+            _ => Quantity::Acceleration(point),
+        };
+        let mechanism = &self.case.mechanism;
+        let own = self.known(whole(point), point);
+        let mut sides: Vec<Side> = own.map(|base| Side { base, open: Vec::new() }).into_iter().collect();
+        for link in mechanism.moving() {
+            let points = &mechanism.link(link).points;
+            for &from in points.iter().filter(|from| points.contains(&point) && **from != point) {
+                let (Some(arm), Some(base)) =
+                    (self.arm(from, point), self.known_or_carried(whole(from), from))
+                else {
+                    continue;
+                };
+                let square = match order {
+                    Order::Velocity => Some(Own::known([0.0; 2])),
+                    _ => self.normal_of(link, from, point),
+                };
+                let Some(square) = square else { continue };
+                sides.push(Side { base: base.with(square, plus), open: vec![(Open::Rate(link), left(arm))] });
+            }
+        }
+        for (place, slide) in mechanism.slides.iter().enumerate() {
+            let rides = matches!(slide.rider, Rider::Pin { point: on, .. } if on == point);
+            let straight = matches!(slide.guide.path, Path::Straight { .. });
+            let Some(along) = self.guide_direction(place).filter(|_| rides && straight) else { continue };
+            let guide = slide.guide.link;
+            let slip = (Open::Slip(guide, along), along);
+            if guide == LinkId::FRAME {
+                sides.push(Side { base: Own::known([0.0; 2]), open: vec![slip] });
+                continue;
+            }
+            let Some((pivot, arm)) = self.pivot(guide).and_then(|p| Some((p, self.arm(p, point)?))) else {
+                continue;
+            };
+            let base = match order {
+                Order::Velocity => Some(Own::known([0.0; 2])),
+                _ => {
+                    let coriolis = Quantity::Coriolis(point, guide);
+                    let coriolis = self.vector(coriolis).or_else(|| self.part(coriolis));
+                    let under = self.vector(Quantity::CoincidentNormal(point, guide));
+                    let normal = under.or_else(|| self.normal_of(guide, pivot, point));
+                    coriolis.zip(normal).map(|(coriolis, normal)| coriolis.with(normal, plus))
+                }
+            };
+            let turned = (Open::Rate(guide), left(arm));
+            sides.extend(base.map(|base| Side { base, open: vec![turned, slip] }));
+        }
+        sides
+    }
+
+    /// The normal part of a point about another of its link: answered, or ω² l.
+    fn normal_of(&self, link: LinkId, from: PointId, to: PointId) -> Option<Own<Xy>> {
+        let about_pivot =
+            self.case.mechanism.is_fixed(from).then(|| self.vector(Quantity::Normal(to))).flatten();
+        self.vector(Quantity::RelativeNormal(to, from)).or(about_pivot).or_else(|| {
+            let in_base = || omega_of(self.case, self.base, link).map(Own::known);
+            let omega = self.scalar(Quantity::Omega(link)).or_else(in_base)?;
+            let arm = self.arm(from, to)?;
+            Some(omega.map(|omega| times(arm, -omega * omega)))
+        })
     }
 
     // --- instant centres -----------------------------------------------------------------------
@@ -679,7 +838,12 @@ impl Desk<'_, '_> {
             let links = [Party::Link(slide.guide.link), mechanism.party_of(&slide.rider)];
             [one, other].iter().all(|link| links.contains(&Party::Link(*link)))
         })?;
-        let guide = mechanism.slides.get(place)?.guide;
+        self.guide_direction(place).map(left)
+    }
+
+    /// The direction of a straight guide, as it is stated or drawn.
+    fn guide_direction(&self, place: usize) -> Option<Xy> {
+        let guide = self.case.mechanism.slides.get(place)?.guide;
         let stated = match guide.path {
             Path::Straight { direction: Direction::Angle(angle), turned, .. }
                 if guide.link == LinkId::FRAME =>
@@ -689,7 +853,7 @@ impl Desk<'_, '_> {
             }
             _ => None,
         };
-        stated.or_else(|| direction(&self.base.construction, Reference::Guide(place))).map(left)
+        stated.or_else(|| direction(&self.base.construction, Reference::Guide(place)))
     }
 
     /// Of each other link whose ω is known: that, its pole, and the centre that it shares with this link.
@@ -826,6 +990,9 @@ impl Desk<'_, '_> {
 
 /// An image that stands farther from where it should, as a part of its distance from the pole, is another one.
 const MOVED: f64 = 1e-6;
+
+/// The sine of the flattest crossing at which a pencil still finds a point.
+const FLAT: f64 = 0.05;
 
 /// V² / l toward the base of an arm.
 fn toward_base(arm: Xy, speed: f64) -> Xy {
