@@ -62,8 +62,8 @@ pub(super) fn lead_to(
     false
 }
 
-/// Whether a drawing has all that the student handed in before an answer and that is judged: one that has only a part of
-/// it is nobody's drawing, and some such leads near any number.
+/// Whether a drawing has all that the student handed in before an answer and that is right or follows: one that has only a
+/// part of it is nobody's drawing, and some such leads near any number.
 fn is_the_students(
     case: &Case<'_>,
     verdicts: &[Option<Verdict>],
@@ -72,7 +72,8 @@ fn is_the_students(
 ) -> bool {
     let judged = |other: &usize| {
         let verdict = verdicts[*other];
-        !matches!(verdict, None | Some(Verdict::NotChecked)) && !case.hands_in_nothing(*other)
+        // What is wrong may have any cause; what is right, or follows, must stand in the drawing.
+        matches!(verdict, Some(Verdict::Right | Verdict::Consistent)) && !case.hands_in_nothing(*other)
     };
     (0..index).filter(judged).all(|other| {
         let [own, right] = [&seen[other], &case.truth[other]].map(|n| n.as_deref().map_or(0.0, size));
