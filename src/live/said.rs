@@ -113,15 +113,20 @@ const CALCULATED: u32 = 11;
 /// What is no point on paper is a millimetre long and read to half a tenth: so far off is what follows from it.
 const AS_READ: f64 = 0.05;
 
-/// The numbers that lines have calculated: how they are printed in the positions. Their index is their number.
+/// What lines have told.
 #[derive(Debug, Default)]
-struct Calculated(Vec<Vec<String>>);
+struct Calculated {
+    /// The numbers that they have calculated, as they are printed in the positions; their index is their number.
+    numbers: Vec<Vec<String>>,
+    /// The outputs that they have read off paper.
+    read: Vec<usize>,
+}
 
 impl Calculated {
     /// The number that is printed so, if it was told before.
     fn told(&self, printed: &[&str], at: &[usize]) -> Option<Value> {
         let is_told = |all: &Vec<String>| at.iter().zip(printed).all(|(index, text)| all[*index] == *text);
-        Some(json!([CALCULATED, self.0.iter().position(is_told)?]))
+        Some(json!([CALCULATED, self.numbers.iter().position(is_told)?]))
     }
 }
 
@@ -303,8 +308,15 @@ impl Printed {
     }
 
     /// What stands in the place of a number that is printed so in some of the positions, the scene's own first: there to the
-    /// last figure, elsewhere but for what rounding on the way has made of that. `on_paper`: a length on the paper of a polygon.
-    fn bound(&self, printed: &[&str], at: &[usize], on_paper: bool) -> Option<(Value, Option<OnPaper>)> {
+    /// last figure, elsewhere but for what rounding on the way has made of that. `on_paper`: a length on the paper of a polygon;
+    /// `read`: the outputs that the page tells as they are read, every other it tells as it is.
+    fn bound(
+        &self,
+        printed: &[&str],
+        at: &[usize],
+        on_paper: bool,
+        read: &[usize],
+    ) -> Option<(Value, Option<OnPaper>)> {
         let (own, others) = printed.split_first()?;
         let more = |candidate: &Candidate| {
             let values = || at.iter().map(|index| candidate.values[*index]);
@@ -315,7 +327,8 @@ impl Printed {
                 Form::Input => moving::printed_stated(value) == text,
                 Form::Length => {
                     moving::printed(value, more) == text
-                        || self.as_read(candidate.output, candidate.si, at[0], text)
+                        || read.contains(&candidate.output)
+                            && self.as_read(candidate.output, candidate.si, at[0], text)
                 }
                 Form::Size | Form::Signed => moving::printed(value, more) == text,
             };
@@ -423,12 +436,14 @@ impl Printed {
         of_an_instant: &[String],
         told: &mut Calculated,
     ) -> Value {
-        let before = told.0.len();
+        let before = told.numbers.len();
         let text = self.in_pieces(places, printed, of_an_instant, told);
         if text.is_object() {
             // What stands nowhere is not told.
-            told.0.truncate(before);
+            told.numbers.truncate(before);
         }
+        let read = text.as_array().into_iter().flatten().filter(|piece| piece.get(0) == Some(&json!(READ)));
+        told.read.extend(read.filter_map(|piece| usize::try_from(piece.get(1)?.as_u64()?).ok()));
         text
     }
 
@@ -490,7 +505,7 @@ impl Printed {
                 Token::Number(text) if constant => {
                     let exact = self.turning(&same, &at, 0.0);
                     turns.splice(0..0, exact);
-                    let bound = if on_paper(index) { self.bound(&same, &at, true) } else { None };
+                    let bound = if on_paper(index) { self.bound(&same, &at, true, &told.read) } else { None };
                     let Some((piece, Some(on))) = bound else {
                         pieces.push(json!(text));
                         continue;
@@ -515,7 +530,9 @@ impl Printed {
                     let known = known.or_else(|| {
                         if follows && is_everywhere { self.calculated(&all, &pieces, told) } else { None }
                     });
-                    let bound = known.map(|piece| (piece, None)).or_else(|| self.bound(&same, &at, false));
+                    let bound = known
+                        .map(|piece| (piece, None))
+                        .or_else(|| self.bound(&same, &at, false, &told.read));
                     let bound = bound.or_else(|| {
                         let piece =
                             if is_everywhere { self.calculated(&all, &pieces, told)? } else { return None };
@@ -665,10 +682,10 @@ impl Printed {
         if !is_varied {
             return None;
         }
-        told.0.push(all.iter().map(printed).collect());
+        told.numbers.push(all.iter().map(printed).collect());
         // As many as it takes for what is calculated from it to come out in every position that was drawn.
         let most = figures.iter().max()?;
-        Some(json!([CALCULATED, told.0.len() - 1, factors, divisors, most, figures.first()?]))
+        Some(json!([CALCULATED, told.numbers.len() - 1, factors, divisors, most, figures.first()?]))
     }
 
     /// The signed scalars whose size is printed so or is off by no more than a part of itself, the nearest first.
