@@ -355,8 +355,10 @@ fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solu
     let lines = shown::lines(&mut draughtsman);
     let asked: HashSet<Quantity> = draughtsman.mechanism.asked.iter().map(|asked| asked.quantity).collect();
     let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
+    let mechanism = draughtsman.mechanism;
     let (mut construction, mut tape) = draughtsman.finish(answers);
-    let zeros = settle::zeros(&shown, &mut tape, &construction, is_told);
+    let mut zeros = settle::zeros(&shown, &mut tape, &construction, is_told);
+    settle::with_rigid(&mut zeros, mechanism, &construction);
     settle::settle(&mut construction, &zeros);
     Solution { construction, tape, slots, shown, lines }
 }

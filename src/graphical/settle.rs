@@ -7,6 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::board::Tape;
 use crate::mechanism::quantity::Quantity;
+use crate::mechanism::{Mechanism, PointId};
 
 use super::construction::{Act, Calculation, Construction, Diagram};
 use super::shown::Shown;
@@ -40,6 +41,32 @@ pub(super) fn zeros(
             Some((shown.quantity, shown.bound_of_zero(own)?))
         })
         .collect()
+}
+
+/// Adds what no vector shows: where a link does not turn, none of its points moves about another, and where it does not begin
+/// to turn, none has a tangential part. |V| = |ω| r, so that r times the bound of ω bounds it.
+pub(super) fn with_rigid(
+    zeros: &mut HashMap<Quantity, f64>,
+    mechanism: &Mechanism,
+    construction: &Construction,
+) {
+    let space = &construction.space;
+    let place = |point: PointId| space.places.get(point.0).copied().flatten();
+    let mut more = Vec::new();
+    for link in mechanism.moving() {
+        let rates = [Quantity::Omega(link), Quantity::Alpha(link)].map(|rate| zeros.get(&rate).copied());
+        let points = &mechanism.link(link).points;
+        for (&point, &base) in points.iter().flat_map(|point| points.iter().map(move |base| (point, base))) {
+            let (Some(a), Some(b)) = (place(point), place(base)) else { continue };
+            let apart = libm::hypot(a[0] - b[0], a[1] - b[1]) * space.metres_per_mm;
+            let moving = [Quantity::RelativeVelocity(point, base), Quantity::RelativeTangential(point, base)];
+            let known = rates.into_iter().zip(moving).filter_map(|(rate, own)| Some((own, apart * rate?)));
+            more.extend(known.filter(|_| point != base));
+        }
+    }
+    for (quantity, bound) in more {
+        zeros.entry(quantity).or_insert(bound);
+    }
 }
 
 /// Says zero of them wherever something is said of them.

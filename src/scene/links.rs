@@ -38,6 +38,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     for link in listed.values() {
         known_pin(link, scene, draft)?;
     }
+    held_pins(scene, draft)?;
     draft.pin_joints();
     places(scene, draft)?;
     pins(scene, draft)?;
@@ -130,6 +131,32 @@ fn known_pin(link: &Listed<'_, '_>, scene: &Fields<'_, '_>, draft: &Draft<'_>) -
     }
     let others = draft.mechanism.points.iter().map(|p| p.name.as_str()).filter(|other| *other != name);
     Err(Fault::new(pin.at, format!("there is no point `{name}`")).known(name, others))
+}
+
+/// A pin on two guides that no link has and no block holds belongs to nothing that could be moved or drawn.
+fn held_pins(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<()> {
+    let slides = scene.get("slides").map(|s| s.list("a list of sliding pairs")).transpose()?;
+    let mut bare: Vec<&str> = Vec::new();
+    for slide in slides.unwrap_or_default() {
+        // Whatever is wrong with the pair is said when the pair itself is read.
+        let Ok(entries) = slide.object("a sliding pair") else { continue };
+        let Some(pin) = entries.iter().find(|e| e.key == "pin") else { continue };
+        let Ok(name) = pin.value.text("the name of a pin") else { continue };
+        if draft.mechanism.points.iter().any(|point| point.name == name) {
+            continue;
+        }
+        if bare.contains(&name) {
+            let what = format!(
+                "the pin {} slides on two guides, but no link and no block has it",
+                name.escape_debug()
+            );
+            return Err(Fault::new(pin.value.at, what).mend(
+                "number a block on one of the guides (`\"block\": 5`), or list the pin in a link's `joins`",
+            ));
+        }
+        bare.push(name);
+    }
+    Ok(())
 }
 
 /// Reads `placed` and `near`, and which points `where` states.

@@ -318,6 +318,17 @@ fn one_pin_on_two_guides_needs_the_block() {
 }
 
 #[test]
+fn a_pin_on_two_guides_that_nothing_has_is_told_so() {
+    let error = bad(r#"{ "fixed": { "O2": [0, 0] }, "links": { "2": { "joins": ["O2"] } },
+             "slides": [ { "pin": "D", "on": { "link": 1, "through": [0, 2], "angle": 0 } },
+                         { "pin": "D", "on": { "link": 2, "through": "O2" } } ],
+             "placed": { "D": [3, 2] }, "input": { "link": 2, "omega": 1 }, "find": ["v(D)"] }"#);
+    assert_eq!(error.path, "slides[1].pin");
+    let message = error.to_string();
+    assert!(message.contains("no link and no block has it") && message.contains("\"block\": 5"), "{message}");
+}
+
+#[test]
 fn a_block_does_not_invent_its_pin() {
     let error = bad(&example_with("\"pin\": \"D\"", "\"pin\": \"DD\""));
     assert_eq!(
