@@ -34,17 +34,18 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
     // Only a hand draws on paper; numbers depend on no scale.
-    let mut solved = match job.hand {
+    let solved = match job.hand {
         Some(_) => {
-            crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, crate::sheet::scale::for_scene)
+            let choose = crate::sheet::scale::for_scene;
+            crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, choose).map(|mut solved| {
+                let forces = crate::sheet::force_paper(scene, &solved.solution.construction);
+                solved.scales = solved.scales.on(forces);
+                solved
+            })
         }
         None => crate::solve::solve_numbers(scene, job.settings),
     }
     .map_err(|error| failure(scene, &error))?;
-    if job.hand.is_some() {
-        solved.scales = solved.scales.on(crate::sheet::force_paper(scene, &solved.solution.construction));
-    }
-    let solved = solved;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
     let by_hand = match job.hand {
         Some(hand) => {

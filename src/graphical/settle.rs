@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::board::Tape;
 use crate::mechanism::quantity::Quantity;
-use crate::mechanism::{Mechanism, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::construction::{Act, Calculation, Construction, Diagram};
 use super::shown::Shown;
@@ -43,8 +43,8 @@ pub(super) fn zeros(
         .collect()
 }
 
-/// Adds what no vector shows: where a link does not turn, none of its points moves about another, and where it does not begin
-/// to turn, none has a tangential part. |V| = |ω| r, so that r times the bound of ω bounds it.
+/// Adds what is told though no vector shows it: where a link does not turn, none of its points moves about another, and
+/// where it does not begin to turn, none has a tangential part. |V| = |ω| r, so that r times the bound of ω bounds it.
 pub(super) fn with_rigid(
     zeros: &mut HashMap<Quantity, f64>,
     mechanism: &Mechanism,
@@ -52,20 +52,28 @@ pub(super) fn with_rigid(
 ) {
     let space = &construction.space;
     let place = |point: PointId| space.places.get(point.0).copied().flatten();
-    let mut more = Vec::new();
-    for link in mechanism.moving() {
-        let rates = [Quantity::Omega(link), Quantity::Alpha(link)].map(|rate| zeros.get(&rate).copied());
-        let points = &mechanism.link(link).points;
-        for (&point, &base) in points.iter().flat_map(|point| points.iter().map(move |base| (point, base))) {
-            let (Some(a), Some(b)) = (place(point), place(base)) else { continue };
+    let told = construction.steps.iter().flat_map(|step| &step.acts).filter_map(|act| match act {
+        Act::Calculate(Calculation::Normal { velocity: own, .. }) => Some(*own),
+        Act::Calculate(
+            Calculation::Speed { quantity: own, .. } | Calculation::Tangential { quantity: own, .. },
+        ) => Some(*own),
+        _ => None,
+    });
+    for quantity in told {
+        let (point, base, rate): (_, _, fn(LinkId) -> Quantity) = match quantity {
+            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega),
+            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha),
+            _ => continue,
+        };
+        let both = |link: &LinkId| {
+            let points = &mechanism.link(*link).points;
+            points.contains(&point) && points.contains(&base)
+        };
+        let bound = mechanism.moving().filter(both).find_map(|link| zeros.get(&rate(link)).copied());
+        if let (Some(bound), Some(a), Some(b)) = (bound, place(point), place(base)) {
             let apart = libm::hypot(a[0] - b[0], a[1] - b[1]) * space.metres_per_mm;
-            let moving = [Quantity::RelativeVelocity(point, base), Quantity::RelativeTangential(point, base)];
-            let known = rates.into_iter().zip(moving).filter_map(|(rate, own)| Some((own, apart * rate?)));
-            more.extend(known.filter(|_| point != base));
+            zeros.entry(quantity).or_insert(apart * bound);
         }
-    }
-    for (quantity, bound) in more {
-        zeros.entry(quantity).or_insert(bound);
     }
 }
 
