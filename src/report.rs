@@ -77,11 +77,7 @@ pub fn unheld_hints(scene: &Scene, construction: &Construction) -> Vec<Diagnosti
     let space = &construction.space;
     let world = |at: [f64; 2]| [x + at[0] * space.metres_per_mm, y + at[1] * space.metres_per_mm];
     let places: Vec<Option<[f64; 2]>> = space.places.iter().map(|at| at.map(world)).collect();
-    let extent = |axis: usize| {
-        let all = || places.iter().flatten().map(|at| at[axis]);
-        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
-    };
-    let size = libm::hypot(extent(0), extent(1));
+    let size = space.size();
     let unit = &scene.units.length;
     let mut told = Vec::new();
     for (index, at) in places.iter().enumerate() {

@@ -183,6 +183,7 @@ pub fn solve_with(
         graphical::solution(settings.arithmetic, exact, &structure, (&plan, extent), |_| scales)
     };
     open_by_room(&scene.mechanism, &mut solution, exactly);
+    unknown_places(&scene.mechanism, &mut solution);
     unstuck(scene, &structure, &plan, &solution.construction.answers)?;
     turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
@@ -212,6 +213,19 @@ fn open_by_room(
         };
         if dead(reading) && !exact.as_ref().is_some_and(open) {
             reading.answer = Answer::Indeterminate(Indeterminate::Room { points: points.clone() });
+        }
+    }
+}
+
+/// A place that is known no better than within the mechanism's size is none: told as zero it would be the origin.
+fn unknown_places(mechanism: &Mechanism, solution: &mut Solution) {
+    let size = solution.construction.space.size();
+    for (asked, reading) in mechanism.asked.iter().zip(&mut solution.construction.answers) {
+        let (Answer::Scalar { bound, .. } | Answer::Vector { bound, .. }) = reading.answer else { continue };
+        let unknown = reading.answer.may_be_zero() && size > 0.0 && bound > size;
+        if unknown && matches!(asked.quantity, Quantity::Position(_) | Quantity::Centre(..)) {
+            let why = "the digits of the scene's numbers do not tell where it lies";
+            reading.answer = Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
         }
     }
 }

@@ -178,6 +178,9 @@ enum Meaning {
     PartAbout { pin: PointId, link: LinkId, from: PointId, normal: bool },
 }
 
+/// On a skeleton it is seen that a place is off by more than this part of the whole.
+const SEEN: f64 = 1e-3;
+
 /// What is being compared.
 struct Comparison<'a> {
     scene: &'a Scene,
@@ -280,7 +283,11 @@ impl<'a> Comparison<'a> {
         }
         let Some(bound) = self.bound_on_paper(quantity, meaning) else { return };
         // Ink is the read number to the rounding of its ends, which stands with it.
-        let apart = apart.map(|(distance, bounds)| (distance, bounds + 2.0 * bound));
+        let mut apart = apart.map(|(distance, bounds)| (distance, bounds + 2.0 * bound));
+        // A place that nothing tells is within its bounds wherever it is drawn.
+        if let (Quantity::Position(_), Some((_, bounds))) = (quantity, &mut apart) {
+            *bounds = bounds.min(SEEN * self.solved.solution.construction.space.size());
+        }
         if apart.is_some_and(|(distance, bounds)| distance <= bounds) {
             return;
         }

@@ -543,6 +543,18 @@ pub struct Space {
     pub choices: Vec<usize>,
 }
 
+impl Space {
+    /// How large the skeleton is in reality: the diagonal of its places, m; 0 where none stands.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let extent = |axis: usize| {
+            let all = || self.places.iter().flatten().map(|at| at[axis]);
+            all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+        };
+        libm::hypot(extent(0).max(0.0), extent(1).max(0.0)) * self.metres_per_mm
+    }
+}
+
 /// A link's own axes on the skeleton.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axes {

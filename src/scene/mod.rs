@@ -7,7 +7,6 @@ pub(crate) mod asked;
 mod cycle;
 pub(crate) mod diagnostic;
 mod draft;
-mod far;
 mod figure;
 mod force_names;
 mod forces;
@@ -131,7 +130,6 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     placing::settle(&mut draft)?;
     figure::read(&fields, &mut draft)?;
     placing::directed_by_places(&mut draft);
-    far::refuse(&draft)?;
     forces::read(&fields, &mut draft)?;
     cycle::read(&fields, &mut draft)?;
     twice::settle(&mut draft)?;
