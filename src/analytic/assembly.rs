@@ -553,9 +553,10 @@ impl<'a> Assembler<'a> {
     fn faces_riders(&self, index: usize, pose: &[f64]) -> bool {
         self.swivels_of[index].iter().all(|swivel| {
             let swivel = &self.model.swivels[*swivel];
+            let Some(ray) = swivel.ray else { return true };
             let rider = self.world(&swivel.rider, pose);
             let at = 3 * swivel.body;
-            let (sin, cos) = libm::sincos(pose[at + 2] + swivel.ray);
+            let (sin, cos) = libm::sincos(pose[at + 2] + ray);
             cos * (rider[0] - pose[at]) + sin * (rider[1] - pose[at + 1]) > -FLOOR
         })
     }

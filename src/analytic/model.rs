@@ -42,8 +42,9 @@ pub(super) struct Swivel {
     pub(super) body: usize,
     /// The rider.
     pub(super) rider: Site,
-    /// Own angle of the guide, from the joint's foot on it towards the rider.
-    pub(super) ray: f64,
+    /// Own angle of the guide, from the joint's foot on it towards the rider; nothing where the places of the link that
+    /// rides tell how the guide lies.
+    pub(super) ray: Option<f64>,
 }
 
 /// The scaled mechanism.
@@ -1136,7 +1137,7 @@ impl Model {
             let row = self.touch_row(roll, true)?;
             if contacts.contains(&roll) { rows.push(row) } else { self.repeated.push(row) }
         }
-        self.find_swivels()?;
+        self.find_swivels(&known)?;
         for (index, link) in self.mechanism.links.iter().enumerate().skip(1) {
             let id = LinkId(index);
             let directed = self.mechanism.inputs.iter().any(|i| {
@@ -1205,7 +1206,8 @@ impl Model {
         }
     }
 
-    fn find_swivels(&mut self) -> Result<(), AnalyticError> {
+    /// The guides that swivel about the joint of their link; `known` says which bodies stand by their places.
+    fn find_swivels(&mut self, known: &[bool]) -> Result<(), AnalyticError> {
         for (index, slide) in self.mechanism.slides.clone().into_iter().enumerate() {
             let body = slide.guide.link.0;
             let link = &self.mechanism.links[body];
@@ -1233,8 +1235,9 @@ impl Model {
             let angle = self.own_angle(&line);
             // Of the two ends of the guide that further along x; where it is square to x, the guide's own direction.
             let ray = if libm::cos(angle) < -1e-6 { angle + std::f64::consts::PI } else { angle };
+            let told = matches!(slide.rider, Rider::Link { link, turned: Some(_) } if known[link.0]);
             let rider = self.placed_rider(&slide.rider, id)?;
-            self.swivels.push(Swivel { body, rider, ray });
+            self.swivels.push(Swivel { body, rider, ray: (!told).then_some(ray) });
         }
         Ok(())
     }
