@@ -564,3 +564,26 @@ fn the_moment_of_a_ride_needs_no_other_question() {
     let of_pin = 2.0 * load[0];
     near(answers(&scene)["moment(F(1,3),O2)"][0], -(of_load + of_pin));
 }
+
+/// A block has own coordinates along its guide whether or not anything but its pin is on it: a load in its own direction,
+/// against the work of it alone.
+#[test]
+fn a_load_in_the_direction_of_a_block_needs_no_point_beside_its_pin() {
+    for load in
+        [r#""force": 100, "direction": { "link": 4, "angle": 180 }"#, r#""force": [-100, 0], "in": 4"#]
+    {
+        let more = format!(r#""loads": [ {{ "name": "P", "on": 4, {load} }} ], "find": ["T(2)"]"#);
+        near(answers(&crank(r#""angle": 50,"#, &more))["T(2)"][0], -100.0 * arm(50_f64.to_radians()));
+    }
+    // In the slot of a lever: 30 N along the slot, outward, at A.
+    let scene = read(
+        r#"{ "fixed": { "O2": [0, 0], "O3": [-0.2, -0.1] }, "links": { "2": { "joins": ["O2", "A"], "length": 0.1 },
+            "3": { "joins": ["O3"] } }, "slides": [ { "pin": "A", "block": 4, "on": { "link": 3, "through": "O3" } } ],
+            "input": { "link": 2, "angle": 70, "omega": 3 },
+            "loads": [ { "name": "P", "on": 4, "force": 30, "direction": { "link": 4, "angle": 0 } } ], "find": ["T(2)"] }"#,
+    );
+    let (sin, cos) = libm::sincos(70_f64.to_radians());
+    let slot = [0.1 * cos + 0.2, 0.1 * sin + 0.1];
+    let power = 30.0 * (-0.1 * sin * slot[0] + 0.1 * cos * slot[1]) / libm::hypot(slot[0], slot[1]);
+    near(answers(&scene)["T(2)"][0], -power);
+}

@@ -702,6 +702,23 @@ impl Model {
         base + self.value(line.turned)
     }
 
+    /// How far the own angle of a line may be off by the rounding, or the room, of what states it, in radians.
+    fn angle_room(&self, line: &Straight) -> f64 {
+        let room = |num: Num| match num {
+            Num::Exact(_) => 0.0,
+            Num::Param(index) => self.params[index].error,
+        };
+        let base = match line.bearing {
+            Bearing::Angle(angle) => room(angle),
+            Bearing::Toward(to) => {
+                let [dx, dy] = [0, 1].map(|i| self.value(to[i]) - self.value(line.through.own[i]));
+                let rooms: f64 = to.into_iter().chain(line.through.own).map(room).sum();
+                rooms / libm::hypot(dx, dy)
+            }
+        };
+        base + room(line.turned)
+    }
+
     /// The path of a sliding pair.
     pub(super) fn track(&self, slide: usize) -> Option<&Track> {
         self.slide_paths.get(slide)
@@ -900,6 +917,7 @@ impl Model {
                         let Track::Line(path) = track else { return false };
                         let same_body = slide.guide.link == guide.link;
                         let across = self.own_angle(path) - line_angle;
+                        let room = self.angle_room(path) + self.angle_room(&line);
                         // The centre, or a link that only translates and has the centre, slides on the
                         // body of the line; or that body slides on one that has the centre.
                         let tilt = match slide.rider {
@@ -908,12 +926,23 @@ impl Model {
                             Rider::Link { link, turned }
                                 if link == guide.link && carriers.contains(&slide.guide.link.0) =>
                             {
-                                let as_placed = matches!(self.mechanism.links[link.0].form, Form::Placed);
-                                turned.filter(|_| !as_placed).map_or(across, |t| t.value + line_angle)
+                                let is_placed =
+                                    |link: LinkId| matches!(self.mechanism.link(link).form, Form::Placed);
+                                match turned.filter(|_| !is_placed(link)) {
+                                    Some(turned) => turned.value + line_angle,
+                                    None if slide.guide.link == LinkId::FRAME
+                                        || is_placed(slide.guide.link) =>
+                                    {
+                                        across
+                                    }
+                                    // What rides as placed does not tell how it lies on a link with axes of its own; a
+                                    // rack that is not parallel to its guide would come off its wheel.
+                                    None => return true,
+                                }
                             }
                             _ => return false,
                         };
-                        libm::sin(tilt).abs() < PARALLEL
+                        libm::sin(tilt).abs() < PARALLEL + room
                     })
             }
             (Roll::Line { .. }, None) => true,

@@ -120,6 +120,15 @@ impl Draughtsman<'_> {
             let (along, _) = self.board.toward(circle.centre, at, reason);
             return Some((own_along, along));
         }
+        let under =
+            self.mechanism.slides.iter().position(
+                |slide| matches!(slide.rider, Rider::Pin { block: Some(block), .. } if block == link),
+            );
+        if let Some(slide) = under {
+            // The own x-axis of a block on a straight guide lies along it.
+            let Track::Straight(guide) = self.track(slide, None) else { return None };
+            return Some((self.board.rightward(), guide.along));
+        }
         for (ride, other) in self.rides_of(link) {
             if self.stands_in_world(other) || self.pose_by_places(other, deep - 1).is_some() {
                 return Some(self.ride_directions(ride, link));

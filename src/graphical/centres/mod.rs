@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 use crate::board::{Amount, HomogeneousLine, HomogeneousPoint, Location, Point};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
+use crate::mechanism::structure::TrialDriver;
 use crate::mechanism::{Input, LinkId, PointId, Rider, Roll};
 use crate::plan::{CentrePlan, GroupStep, Plan, chord};
 
@@ -83,6 +84,7 @@ struct Rest {
     motion: Motion,
     rolling_speeds: Vec<Option<Amount>>,
     coincident: Vec<Coincident>,
+    tried_rates: Vec<(Order, TrialDriver, Amount)>,
     parts: usize,
     loud: bool,
 }
@@ -105,10 +107,18 @@ impl Draughtsman<'_> {
             motion: self.motion(Order::Velocity).clone(),
             rolling_speeds: self.rolling_speeds.clone(),
             coincident: std::mem::take(&mut self.coincident),
+            tried_rates: std::mem::take(&mut self.tried_rates),
             parts: self.parts.len(),
             loud: !std::mem::replace(&mut self.silent, true),
         };
         self.assumed_rate = Some(Given::exact(1.0));
+        // What is known of the motion at rest is not known of this one.
+        let mechanism = self.mechanism;
+        let motion = self.motion_mut(Order::Velocity);
+        let moves = |&(index, _): &(usize, &mut Option<Point>)| !mechanism.is_fixed(PointId(index));
+        motion.images.iter_mut().enumerate().filter(moves).for_each(|(_, image)| *image = None);
+        motion.rotations.iter_mut().skip(1).for_each(|rate| *rate = None);
+        motion.slidings.fill(None);
         for step in steps {
             self.velocity_of(step, &self.structure.groups[step.group]);
         }
@@ -119,6 +129,7 @@ impl Draughtsman<'_> {
     fn rest_again(&mut self, rest: Rest) {
         *self.motion_mut(Order::Velocity) = rest.motion;
         (self.rolling_speeds, self.coincident) = (rest.rolling_speeds, rest.coincident);
+        self.tried_rates = rest.tried_rates;
         self.parts.truncate(rest.parts);
         self.silent = !rest.loud;
         self.assumed_rate = None;
