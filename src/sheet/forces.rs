@@ -37,6 +37,9 @@ const CROWDED: f64 = 3.0;
 const HOPELESS: f64 = 50.0;
 /// Arrows whose lines are nearer than this, mm, and directions nearer than this cosine, lie on each other.
 const ON_EACH_OTHER: (f64, f64) = (1.0, 0.995);
+/// An arrow that stands so far from all other points has its name for itself, mm; looked for in so many steps of half of it.
+const APART: f64 = 10.0;
+const APART_STEPS: u32 = 12;
 /// How far the lines of what a polygon finds run past their meeting.
 const PAST: f64 = 7.0;
 /// Half the length of a line of which nothing but the line is known, mm.
@@ -570,6 +573,34 @@ fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64
     from
 }
 
+/// Where on its line the arrow of a force begins so that its name is not taken for that of something else: as near to `at` as
+/// it stands a finger's breadth from all other points, within what they span; else where it stands farthest from them.
+fn apart(others: &[Point], acting: &Acting, at: Point, most: f64) -> Point {
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    if size <= 0.0 {
+        return at;
+    }
+    let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+    let length = ARROWS.0 + (ARROWS.1 - ARROWS.0) * size / most;
+    let distance = |from: Point, point: Point| {
+        let reach = (point - from).dot(along).clamp(0.0, length);
+        (from + along * reach).distance(point)
+    };
+    let free = |from: Point| others.iter().map(|point| distance(from, *point)).fold(APART, f64::min);
+    let span = others.iter().fold(Rect::from_points(at, at), |span, point| span.union_pt(*point));
+    let mut best = at;
+    for step in 1..=APART_STEPS {
+        for way in [1.0, -1.0] {
+            let from = at + along * (way * APART / 2.0 * f64::from(step));
+            let inside = span.contains(from) && span.contains(from + along * length);
+            if inside && free(from) > free(best) + 1e-6 {
+                best = from;
+            }
+        }
+    }
+    best
+}
+
 /// The line of the shaking force on the skeleton, with its distance from the first fixed pivot.
 fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
     let shaking = sheet.shaking.as_ref()?;
@@ -594,11 +625,21 @@ fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Nota
         let mut taken = Vec::new();
         let mut moments = shaking.clone();
         moments.terms.push(moments.found);
-        for acting in sheet.inertia.iter().chain([&whole]) {
+        for acting in &sheet.inertia {
             let at = on_page(acting.through, construction);
             let at = beyond(&mut taken, acting, at, most);
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
         }
+        // The sum stands on its line where nothing else stands.
+        let foot = on_page(whole.through, construction);
+        let mut others: Vec<Point> = bare.space.places.iter().flatten().map(|p| page(*p)).collect();
+        others.extend(taken.iter().flat_map(|(tail, tip)| [*tail, tail.midpoint(*tip), *tip]));
+        let from = apart(&others, &whole, foot, most);
+        if from != foot {
+            let line = Shape::Line(foot, from);
+            overlay.ink.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
+        }
+        short_arrow(&mut overlay.ink, &mut overlay.labels, &whole, from, most, notation);
         arms(&mut overlay.ink, &mut overlay.labels, &moments, sheet, construction, notation);
         overlay
     }))
