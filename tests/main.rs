@@ -24,6 +24,7 @@ mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
 mod fair_examiner;
+mod far_forces;
 mod force_sheets;
 mod forces;
 mod forces_arcs;

@@ -7,6 +7,7 @@ use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_numbers,
 use super::scan::Scan;
 use crate::limits;
 use crate::mechanism::Sense;
+use crate::mechanism::cycle::CycleQuantity;
 use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Dimension, Nature, Order, Quantity, Unit};
 use crate::scene::asked::{Names, default_scale};
@@ -183,14 +184,16 @@ impl Answers {
         Ok(())
     }
 
-    /// Where one rotation has a minus sign, those without a sign or a sense turn counter-clockwise.
+    /// Where one rotation has a minus sign, those without a sign or a sense turn counter-clockwise; likewise torques.
     pub(super) fn take_plus_for_a_sense(&mut self) {
-        if !self.items.iter().any(|item| item.minus) {
-            return;
-        }
-        for item in self.items.iter_mut().filter(|item| is_rate(&item.asked.quantity)) {
-            if let Given::Magnitude(size) = item.given {
-                item.given = Given::Signed(size);
+        for alike in [is_rate, is_torque] {
+            if !self.items.iter().any(|item| item.minus && alike(&item.asked.quantity)) {
+                continue;
+            }
+            for item in self.items.iter_mut().filter(|item| alike(&item.asked.quantity)) {
+                if let Given::Magnitude(size) = item.given {
+                    item.given = Given::Signed(size);
+                }
             }
         }
     }
@@ -570,6 +573,10 @@ pub(super) fn scalar(
             return Err(fault.mend("write both coordinates: [x, y], in a table the columns `x` and `y`"));
         }
         Quantity::Ratio(..) | Quantity::Advantage(..) => Given::Signed(si),
+        // Energy is counted from angle 0 and has a sign.
+        Quantity::Cycle(
+            CycleQuantity::Highest | CycleQuantity::Lowest | CycleQuantity::Area(_) | CycleQuantity::Level(_),
+        ) => Given::Signed(si),
         _ if is_vector(&quantity) && si < 0.0 => {
             let fault = Fault::new(value.at, format!("the magnitude of `{}` is not negative", asked.name));
             return Err(fault.mend("give its `direction`, ccw from +x, or both components [x, y]"));
@@ -586,7 +593,7 @@ pub(super) fn scalar(
     };
     let unit = stated.scale.unit();
     let rounding = last_place(value) / 2.0 * unit.si;
-    let minus = si < 0.0 && is_rate(&quantity);
+    let minus = si < 0.0 && (is_rate(&quantity) || is_torque(&quantity));
     let asked = Asked { unit, ..asked };
     Ok(Item { asked, given, form: Form::Number, minus, through: None, rounding, at })
 }
@@ -682,6 +689,10 @@ pub(super) fn is_vector(quantity: &Quantity) -> bool {
 /// Whether a number is an angular velocity or acceleration.
 fn is_rate(quantity: &Quantity) -> bool {
     matches!(quantity.measure(), Measure::AngularVelocity | Measure::AngularAcceleration)
+}
+
+fn is_torque(quantity: &Quantity) -> bool {
+    quantity.measure() == Measure::Torque && quantity.measure().turns()
 }
 
 /// Whether a number carries neither sign nor sense.

@@ -468,7 +468,7 @@ impl Marks {
 /// A text that names a point of the scene; all other texts are captions and the like.
 fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<Option<Letter>> {
     let written: String = text.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect();
-    let whole: String = written.split_whitespace().collect();
+    let whole = plain(&written, names);
     // One text may name several points that are one: "b, c". An index like that of b′1,2 is none of them.
     let several: Vec<&str> = whole.split(',').collect();
     let read: Option<Vec<(String, Order)>> =
@@ -509,6 +509,16 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<Option<L
         height,
         at: text.range().start,
     }))
+}
+
+/// A text without spaces, with the indices that sheets print, or hands type, as they are named: a₂ and a_2 are a2.
+fn plain(written: &str, names: &Names<'_>) -> String {
+    let index = |letter: char| match letter {
+        '₀'..='₉' => char::from_digit(letter as u32 - '₀' as u32, 10).unwrap_or(letter),
+        other => other,
+    };
+    let joins = |letter: char| letter == '_' && !names.images.iter().any(|name| name.contains('_'));
+    written.chars().filter(|letter| !letter.is_whitespace() && !joins(*letter)).map(index).collect()
 }
 
 /// The point that a text names, and in which figure: by the layer, or by its spelling.

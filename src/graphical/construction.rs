@@ -162,6 +162,14 @@ pub struct Touch {
     pub rates: Option<[f64; 2]>,
 }
 
+impl Touch {
+    /// Whether its force acts on a body.
+    #[must_use]
+    pub fn acts_on(&self, body: &FreeBody) -> bool {
+        self.between.iter().any(|link| body.has(*link))
+    }
+}
+
 /// The tangent of two friction circles along which the force of a link with two pins runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrictionAxis {

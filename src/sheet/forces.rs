@@ -573,6 +573,102 @@ fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64
     from
 }
 
+/// What is drawn of a body, or of the skeleton, and the room around it in which forces stand to scale.
+#[derive(Clone, Copy)]
+struct Frame(Rect);
+
+/// Where an arrow stands.
+enum Stand {
+    /// On its line.
+    At(Point),
+    /// At the border, beside which its line lies far off.
+    Border(Point),
+}
+
+impl Frame {
+    /// Room beside a body, mm.
+    const BESIDE: f64 = 70.0;
+
+    fn around(ink: Rect) -> Self {
+        Self(ink.inflate(Self::BESIDE, Self::BESIDE))
+    }
+
+    fn of_skeleton(construction: &Construction) -> Option<Self> {
+        let mut places = construction.space.places.iter().flatten().map(|place| page(*place));
+        let first = places.next()?;
+        Some(Self::around(places.fold(Rect::from_points(first, first), |all, at| all.union_pt(at))))
+    }
+
+    /// Where the arrow of a force begins: at its place, on its line beside the body, or at the border.
+    fn stand(self, acting: &Acting, at: Point) -> Stand {
+        let size = libm::hypot(acting.force[0], acting.force[1]);
+        if self.0.contains(at) || size <= 0.0 {
+            return Stand::At(at);
+        }
+        let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+        let foot = at + along * (self.0.center() - at).dot(along);
+        if self.0.contains(foot) { Stand::At(foot) } else { Stand::Border(self.cut(self.0.center(), foot)) }
+    }
+
+    /// The same on a skeleton, with what leads there where that is far.
+    fn arrow_at(
+        self,
+        overlay: &mut Overlay,
+        acting: &Acting,
+        near: Option<Point>,
+        (construction, notation): (&Construction, &Notation<'_>),
+    ) -> Point {
+        let on_line = on_page(acting.through, construction);
+        match self.stand(acting, on_line) {
+            Stand::At(at) => at,
+            Stand::Border(border) => {
+                let force = (acting, on_line, border);
+                far_off(&mut overlay.ink, &mut overlay.labels, force, near, (construction, notation));
+                border
+            }
+        }
+    }
+
+    /// A line as far as the border.
+    fn cut(self, from: Point, to: Point) -> Point {
+        match super::overlap::clip(from, to, self.0) {
+            Some((_, end)) => from.lerp(to, end),
+            None => from,
+        }
+    }
+}
+
+/// Whether an arm is beyond all proportion to what is drawn: a force that cannot be told from zero, with a couple.
+pub(super) fn is_a_couple(arm: &Arm, construction: &Construction) -> bool {
+    /// Of the room of a sheet.
+    const BEYOND: f64 = 1e7;
+    arm.length > BEYOND * Frame::BESIDE * construction.space.metres_per_mm
+}
+
+/// A line from what is drawn to a force that lies beyond the border, with how far off that is.
+fn far_off(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    (acting, at, border): (&Acting, Point, Point),
+    near: Option<Point>,
+    (construction, notation): (&Construction, &Notation<'_>),
+) {
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    let Some(near) = near.filter(|near| size > 0.0 && near.distance(border) > SHORTEST) else { return };
+    let across = Vec2::new(acting.force[1] / size, acting.force[0] / size);
+    let metres = (at - near).dot(across).abs() * construction.space.metres_per_mm;
+    let mut own = Group::new("far-off").data("quantity", acting.action.name(notation.mechanism()));
+    let line = Shape::Line(near, border);
+    own.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
+    own.mark(super::ink::head(border, (border - near).normalize(), 2.0));
+    group.group(own);
+    let unit = &notation.scene.units.length;
+    let text = human::quantity(metres, unit);
+    let mut request = Request::new(text, SMALL, Site::Along { from: near, to: border }, "label far-off");
+    request.leader = true;
+    requests.push(request);
+}
+
 /// Where on its line the arrow of a force begins so that its name is not taken for that of something else: as near to `at` as
 /// it stands a finger's breadth from all other points, within what they span; else where it stands farthest from them.
 fn apart(others: &[Point], acting: &Acting, at: Point, most: f64) -> Point {
@@ -625,13 +721,16 @@ fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Nota
         let mut taken = Vec::new();
         let mut moments = shaking.clone();
         moments.terms.push(moments.found);
+        let Some(frame) = Frame::of_skeleton(&bare) else { return overlay };
+        let near = bare.space.places.iter().flatten().map(|place| page(*place)).next();
+        let shown = (construction, notation);
         for acting in &sheet.inertia {
-            let at = on_page(acting.through, construction);
+            let at = frame.arrow_at(&mut overlay, acting, near, shown);
             let at = beyond(&mut taken, acting, at, most);
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
         }
         // The sum stands on its line where nothing else stands.
-        let foot = on_page(whole.through, construction);
+        let foot = frame.arrow_at(&mut overlay, &whole, near, shown);
         let mut others: Vec<Point> = bare.space.places.iter().flatten().map(|p| page(*p)).collect();
         others.extend(taken.iter().flat_map(|(tail, tip)| [*tail, tail.midpoint(*tip), *tip]));
         let from = apart(&others, &whole, foot, most);
@@ -640,7 +739,7 @@ fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Nota
             overlay.ink.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
         }
         short_arrow(&mut overlay.ink, &mut overlay.labels, &whole, from, most, notation);
-        arms(&mut overlay.ink, &mut overlay.labels, &moments, sheet, construction, notation);
+        arms(&mut overlay.ink, &mut overlay.labels, &moments, frame, (sheet, construction, notation));
         overlay
     }))
 }
@@ -664,12 +763,15 @@ fn asked_arms(sheet: &ForceSheet, construction: &Construction, notation: &Notati
     skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
         let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
         let mut taken = Vec::new();
+        let Some(frame) = Frame::of_skeleton(&bare) else { return overlay };
+        let near = bare.space.places.iter().flatten().map(|place| page(*place)).next();
         for acting in &acting {
-            let at = beyond(&mut taken, acting, on_page(acting.through, construction), most);
+            let at = frame.arrow_at(&mut overlay, acting, near, (construction, notation));
+            let at = beyond(&mut taken, acting, at, most);
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
         }
         for own in &own {
-            arms(&mut overlay.ink, &mut overlay.labels, own, sheet, construction, notation);
+            arms(&mut overlay.ink, &mut overlay.labels, own, frame, (sheet, construction, notation));
         }
         overlay
     })
@@ -680,9 +782,8 @@ fn arms(
     group: &mut Group,
     requests: &mut Vec<Request>,
     moments: &MomentBalance,
-    sheet: &ForceSheet,
-    construction: &Construction,
-    notation: &Notation<'_>,
+    frame: Frame,
+    (sheet, construction, notation): (&ForceSheet, &Construction, &Notation<'_>),
 ) {
     let about = match moments.about {
         About::Point(point) => match construction.space.places.get(point.0) {
@@ -729,7 +830,10 @@ fn arms(
     };
     let mut drawn: Vec<Arm> = Vec::new();
     for term in moments.terms.iter().chain([&moments.found]) {
-        let Some(arm) = term.arm.filter(|arm| arm.between.is_none() && !drawn.contains(arm)) else {
+        let Some(arm) = term
+            .arm
+            .filter(|arm| arm.between.is_none() && !drawn.contains(arm) && !is_a_couple(arm, construction))
+        else {
             continue;
         };
         drawn.push(arm);
@@ -737,6 +841,8 @@ fn arms(
         if foot.distance(about) < SHORTEST {
             continue;
         }
+        let whole = frame.0.contains(foot);
+        let foot = if whole { foot } else { frame.cut(about, foot) };
         let mut own =
             Group::new("arm").data("value", format!("{}", arm.length / notation.scene.units.length.si));
         own.mark(Mark::stroke(Shape::Line(about, foot), Pen::solid(FINE)).precise());
@@ -744,7 +850,7 @@ fn arms(
         own.mark(super::ink::head(foot, along, 2.0));
         own.mark(super::ink::head(about, -along, 2.0));
         // The line of the force as far as the foot, and a little past it.
-        let through = moments_line(sheet, term.of, construction);
+        let through = moments_line(sheet, term.of, construction).filter(|at| whole && frame.0.contains(*at));
         if let Some(at) = through.filter(|at| at.distance(foot) > 1.0) {
             let past = foot + (foot - at).normalize() * 2.0;
             own.mark(Mark::stroke(Shape::Line(at, past), Pen { width: FINE, dash: Dash::Dashed }).precise());
@@ -898,8 +1004,10 @@ impl Free<'_> {
                 "label point-name",
             ));
         }
+        let Some(ink) = group.bounds() else { return group };
+        let frame = Frame::around(ink);
         for moments in self.moments {
-            arms(&mut group, &mut requests, moments, sheet, construction, notation);
+            arms(&mut group, &mut requests, moments, frame, (sheet, construction, notation));
         }
         let of_link = |link: LinkId| self.of.contains(&Party::Link(link));
         for meet in sheet.meets.iter().filter(|meet| of_link(meet.link)) {
@@ -909,7 +1017,20 @@ impl Free<'_> {
         let most = largest(&everything);
         let mut taken = Vec::new();
         for acting in self.acting {
-            let at = on_page(acting.through, construction);
+            let on_line = on_page(acting.through, construction);
+            let at = match frame.stand(acting, on_line) {
+                Stand::At(at) => at,
+                Stand::Border(border)
+                    if acting.known == Knowledge::Full || acting.known == Knowledge::Line =>
+                {
+                    let near = places.iter().map(|(at, ..)| *at);
+                    let near = near.min_by(|a, b| a.distance(border).total_cmp(&b.distance(border)));
+                    let force = (acting, on_line, border);
+                    far_off(&mut group, &mut requests, force, near, (construction, notation));
+                    border
+                }
+                Stand::Border(_) => on_page(acting.at, construction),
+            };
             match acting.known {
                 Knowledge::Full => {
                     let at = beyond(&mut taken, acting, at, most);

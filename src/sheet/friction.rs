@@ -10,10 +10,10 @@ use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::graphical::construction::{About, Construction, ForceSheet, FreeBody, Touch};
+use crate::graphical::construction::{About, Construction, ForceSheet, FreeBody, FrictionAxis, Touch};
 use crate::mechanism::LinkId;
 use crate::mechanism::Mechanism;
-use crate::mechanism::force::{Action, Through};
+use crate::mechanism::force::{Action, Party, Through};
 use crate::mechanism::friction::{RubbedBy, RubbingPair};
 
 /// Radius of an enlarged friction circle, mm: so much at most, for a round scale.
@@ -219,11 +219,17 @@ pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Ite
     drags.filter(move |index| first_body(*index, sheet) == Some(body))
 }
 
-/// The first body on which the force of a pair that rubs acts.
+/// The body at which the force of a pair that rubs is told: the first on which it acts. The line of a link between two
+/// friction circles needs both, so the second circle is told with the first.
 fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
     let touch = sheet.rubs.get(index)?;
-    let acts = |body: &FreeBody| touch.between.iter().any(|link| body.has(*link));
-    let of_body = sheet.bodies.iter().position(acts);
+    let of_axes = axes(sheet).filter(|(body, _)| touch.along.is_none() && touch.acts_on(*body));
+    of_axes.map(|(body, _)| told_at(body, sheet)).chain([acts_first(touch, sheet)]).flatten().min()
+}
+
+/// The first body on which the force of a pair that rubs acts.
+fn acts_first(touch: &Touch, sheet: &ForceSheet) -> Option<usize> {
+    let of_body = sheet.bodies.iter().position(|body| touch.acts_on(body));
     // Moments may be taken about where it touches before its body is in balance.
     let contact = |about: About| {
         matches!((about, touch.rub.pair),
@@ -232,6 +238,28 @@ fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
     let of_moments =
         sheet.moments.iter().filter(|moments| contact(moments.about)).map(|moments| moments.told);
     of_body.into_iter().chain(of_moments).min()
+}
+
+/// The links between two friction circles, with the tangent along which each pulls or pushes.
+fn axes(sheet: &ForceSheet) -> impl Iterator<Item = (&FreeBody, FrictionAxis)> {
+    sheet.bodies.iter().filter_map(|body| Some((body, sheet.friction_axis(body)?)))
+}
+
+/// The body at which the friction axis of a link is told: the first on which a force along it acts.
+fn told_at(body: &FreeBody, sheet: &ForceSheet) -> Option<usize> {
+    let circles = sheet.rubs.iter().filter(|touch| touch.along.is_none() && touch.acts_on(body));
+    circles.filter_map(|touch| acts_first(touch, sheet)).min()
+}
+
+/// The friction axes that are told at a body, with their links.
+pub(super) fn axes_told(
+    index: usize,
+    sheet: &ForceSheet,
+) -> impl Iterator<Item = (LinkId, FrictionAxis)> + '_ {
+    axes(sheet).filter_map(move |(body, axis)| match body.of {
+        Party::Link(link) if told_at(body, sheet) == Some(index) => Some((link, axis)),
+        _ => None,
+    })
 }
 
 /// An angle of friction as finely as a circle is reckoned from it.

@@ -331,7 +331,9 @@ impl Figures {
             }
         }
         if let Some(key) = key {
-            self.note(key, &text, (number.abs(), exact.abs()), unit);
+            // Elsewhere it is a size, and the sign before it tells its sense.
+            let size = if number < 0.0 { human::limited(number.abs(), more).0 } else { text.clone() };
+            self.note(key, &size, (number.abs(), exact.abs()), unit);
         }
         (numbers, text, number)
     }

@@ -428,8 +428,8 @@ impl Teller<'_> {
                 Factor::new(free.value, &units.length, "m"),
             ];
             // A spring that is shorter than without load pushes; its pull is told where that is asked.
-            let asked = |asked: &Asked| asked.quantity == Quantity::Force(Force::Pull(index), Share::Total);
-            let pushes = length < free.value && !self.n.mechanism().asked.iter().any(asked);
+            let shorter = length < free.value;
+            let pushes = shorter && !self.asks(Force::Pull(index));
             let pull = stiffness.value * (length - free.value);
             let end =
                 Key::Of(Quantity::Force(Force::Vector(either(Action::Spring { index, end: 0 })), self.share));
@@ -445,7 +445,7 @@ impl Teller<'_> {
             let reckon = |n: &[f64]| if pushes { n[0] * (n[2] - n[1]) } else { n[0] * (n[1] - n[2]) };
             let line = self.line(name, formula, &factors, set, reckon, result);
             self.figures.borrow_mut().alias(self.whole(Force::Pull(index)), end);
-            lines.push(match pushes {
+            lines.push(match shorter {
                 true => line.aside(self.n.words.comma, &Rich::upright(self.n.words.spring_pushes)),
                 false => line,
             });
@@ -513,25 +513,45 @@ impl Teller<'_> {
         let name = self.n.symbol(Quantity::Force(Force::Twist(of.spring), Share::Total), false);
         let (per_radian, radian) =
             (Unit { symbol: "N*m/rad".to_owned(), si: 1.0 }, Unit { symbol: "rad".to_owned(), si: 1.0 });
+        let now = free.value + of.further;
         let factors = [
             Factor::new(stiffness.value, &per_radian, "N\u{a0}m/rad"),
             Factor::new(free.value, &radian, "rad"),
-            Factor::new(free.value + of.further, &radian, "rad"),
+            Factor::new(now, &radian, "rad"),
         ];
         let torque = &self.n.scene.units.torque;
-        let result = Factor::new(-stiffness.value * of.further, torque, "N\u{a0}m")
+        // Its size and its sense; with a sign where that is asked.
+        let turned_round = of.further > 0.0 && !self.asks(Force::Twist(of.spring));
+        let exerted = -stiffness.value * of.further;
+        let result = Factor::new(if turned_round { -exerted } else { exerted }, torque, "N\u{a0}m")
             .of(self.whole(Force::Twist(of.spring)));
-        let formula = Rich::italic("K")
-            .sub(&spring.name)
-            .up("\u{2009}(")
-            .then(&Rich::italic("φ").sub(&spring.name))
-            .up(" − ")
-            .it("φ")
-            .up(")");
-        let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")");
+        let names = [Rich::italic("φ").sub(&spring.name), Rich::italic("φ")];
+        let order = |pair: [Rich; 2]| {
+            let [without, with] = pair;
+            if turned_round { [with, without] } else { [without, with] }
+        };
+        let [first, second] = order(names);
+        let formula =
+            Rich::italic("K").sub(&spring.name).up("\u{2009}(").then(&first).up(" − ").then(&second).up(")");
+        let angles = if turned_round { [now, free.value] } else { [free.value, now] };
+        let set = |n: &[Rich]| {
+            let [first, second] = order([n[1].clone(), n[2].clone()]);
+            let begin = if angles[0] < 0.0 { "(−" } else { "(" };
+            let between = if angles[1] < 0.0 { " + " } else { " − " };
+            n[0].clone().up(TIMES).up(begin).then(&first).up(between).then(&second).up(")")
+        };
         let together = (torque.si - 1.0).abs() < 1e-12;
-        let reckon = |n: &[f64]| n[0] * (n[1] - n[2]);
-        Some(self.line_in(together, name, formula, &factors, set, reckon, (result, torque)))
+        let reckon = |n: &[f64]| {
+            let of_spring = n[0] * (n[1].copysign(free.value) - n[2].copysign(now));
+            if turned_round { -of_spring } else { of_spring }
+        };
+        let line = self.line_in(together, name, formula, &factors, set, reckon, (result, torque));
+        Some(if self.asks(Force::Twist(of.spring)) { line } else { line.word(self.n.sense(exerted)) })
+    }
+
+    /// Whether a force is asked by itself.
+    fn asks(&self, force: Force) -> bool {
+        self.n.mechanism().asked.iter().any(|asked| asked.quantity == Quantity::Force(force, Share::Total))
     }
 
     fn line_of_area(
@@ -933,7 +953,7 @@ impl Teller<'_> {
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
-        if let (Some(axis), Party::Link(link)) = (self.sheet.friction_axis(body), body.of) {
+        for (link, axis) in super::friction::axes_told(index, self.sheet) {
             let template = match axis {
                 FrictionAxis::Outer => words.friction_axis_outer,
                 FrictionAxis::Inner => words.friction_axis_inner,
@@ -1718,9 +1738,20 @@ impl Teller<'_> {
     fn asked_arms(&self) -> Vec<Item> {
         let units = &self.n.scene.units;
         let mut items = vec![self.head(Rich::upright(self.n.words.arms_figure))];
+        let mut couples: Vec<Action> = Vec::new();
         for own in &self.sheet.arms {
             let (Turning::Torque(of), Some(arm)) = (own.found.of, own.found.arm) else { continue };
             let (Force::Arm(action, about) | Force::Moment(action, about)) = of else { continue };
+            if super::forces::is_a_couple(&arm, self.construction) {
+                // The line of what is but rounding lies anywhere.
+                if couples.contains(&action) {
+                    continue;
+                }
+                couples.push(action);
+                let parts = [("force", self.symbol(action)), ("moment", self.torque(own.found.moment))];
+                items.push(Item::Sentence(Rich::fill(self.n.words.couple_left, &parts)));
+                continue;
+            }
             let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
             let named = symbol(Force::Arm(action, about));
             let key = self.key_of_arm(&arm);

@@ -29,6 +29,8 @@ const ARROW: f64 = 14.0;
 const POLYGON: f64 = 28.0;
 /// Between the skeleton and the small polygon, mm of the page.
 const APART: f64 = 16.0;
+/// The polygon stands beside the skeleton where both are not wider than this, else below it, mm of the page.
+const BESIDE: f64 = 140.0;
 
 /// An inertia force that was found by two masses.
 #[derive(Clone, Copy)]
@@ -278,11 +280,10 @@ impl Draughtsman<'_> {
         let [beside, _] = self.board.square_off(line, centre);
         let foot = self.board.step_off(through, along, beside);
         let length = self.arrow_length();
-        let back = self.board.reverse(along);
-        let tail = self.board.step_off(through, back, length);
-        let tip = self.board.step_off(through, along, length);
+        // The arrow stands beside the link; where the lines meet may lie off the paper.
+        let tip = self.board.step_off(foot, along, length);
         self.aux_line(foot, through, StrokeRole::Result, None);
-        self.aux_line(tail, tip, StrokeRole::Vector, None);
+        self.aux_line(foot, tip, StrokeRole::Vector, None);
         self.aux_point(PointName::InertiaForce(mass.link), tip);
         let arm = self.arm_of(line, centre).value().abs();
         let [x, y] = self.components_of(pull).map(|part| part.value());
@@ -329,10 +330,14 @@ impl Draughtsman<'_> {
         let least = |of: &[[f64; 2]], axis: usize| of.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
         let most =
             |of: &[[f64; 2]], axis: usize| of.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        let pole = [
-            most(&places, 0) + self.on_the_page(APART) - least(&all, 0),
-            f64::midpoint(least(&places, 1), most(&places, 1)) - f64::midpoint(least(&all, 1), most(&all, 1)),
-        ];
+        let middle = |of: &[[f64; 2]], axis: usize| f64::midpoint(least(of, axis), most(of, axis));
+        let width = |of: &[[f64; 2]]| most(of, 0) - least(of, 0);
+        let apart = self.on_the_page(APART);
+        let pole = if width(&places) + apart + width(&all) <= self.on_the_page(BESIDE) {
+            [most(&places, 0) + apart - least(&all, 0), middle(&places, 1) - middle(&all, 1)]
+        } else {
+            [middle(&places, 0) - middle(&all, 0), least(&places, 1) - apart - most(&all, 1)]
+        };
         let moved = |[x, y]: [f64; 2]| [pole[0] + x * grown, pole[1] + y * grown];
         let name = PointName::Image(Label::Pole, Order::Acceleration);
         self.note_named(super::NamedPoint { name, at: pole });
