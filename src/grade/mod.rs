@@ -29,6 +29,7 @@ mod class;
 mod csv;
 mod digits;
 mod drawing;
+mod fitted;
 mod force_mistakes;
 mod judge;
 mod kind;

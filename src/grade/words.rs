@@ -82,6 +82,8 @@ impl Mistake {
             Kind::DiameterForRadius => format!("{at}: diameter and radius mixed up"),
             Kind::PivotMisplaced => format!("the pivot {at} stands elsewhere than given"),
             Kind::LoadWrong => format!("{at}: calculated wrongly from what is given"),
+            Kind::RateNotSquared => format!("{at}: ω in the place of ω²"),
+            Kind::WrongCentreLine => format!("{at}: found on a line on which it does not lie"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -203,6 +205,10 @@ impl Mistake {
             Kind::DiameterForRadius => "Look whether the radius or the diameter is given.",
             Kind::PivotMisplaced => "Lay off the fixed points once more before the links.",
             Kind::LoadWrong => "Write area and pressure with their units before you multiply.",
+            Kind::RateNotSquared => "The energy of what turns grows with ω²: K_s = E_f/(I·ω²).",
+            Kind::WrongCentreLine => {
+                "The centre of links i and j lies on the line through those that both have with one third link."
+            }
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }
