@@ -39,6 +39,10 @@ impl Laid {
     fn all(mechanism: &Mechanism) -> Vec<Self> {
         let fixed = (0..mechanism.points.len()).map(PointId).filter(|point| mechanism.is_fixed(*point));
         let mut all: Vec<Self> = fixed.map(Self::Pivot).collect();
+        // The drawing begins at the first: all others may stand elsewhere about it.
+        if all.len() > 1 {
+            all.remove(0);
+        }
         let ends = [[0, 1], [1, 2], [0, 2]];
         all.extend(mechanism.moving().flat_map(|link| ends.map(|ends| Self::Length(link, ends))));
         let angles = mechanism.inputs.iter().enumerate();

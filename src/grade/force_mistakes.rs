@@ -494,7 +494,7 @@ impl List<'_, '_> {
                 }
                 let twist = Twist::scaled(factor);
                 let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
-                let how = format!("{} for it", self.told(*length));
+                let how = format!("a length of {}", self.told(*length));
                 self.add_so((Kind::ArmToPin, how), &name, None, price, read);
             }
         }
@@ -828,7 +828,7 @@ fn is_energy(of: CycleQuantity) -> bool {
 }
 
 /// Whether two actions are one force, or a force and its reaction.
-fn same(one: Action, other: Action) -> bool {
+pub(super) fn same(one: Action, other: Action) -> bool {
     let key = |action: Action| match action {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),

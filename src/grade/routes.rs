@@ -841,10 +841,7 @@ impl Desk<'_, '_> {
                 continue;
             }
             let [a, b] = [a.value, b.value];
-            let number = |link: LinkId| mechanism.link(link).number;
-            let name = |a: LinkId, b: LinkId| {
-                format!("I({},{})", number(a).min(number(b)), number(a).max(number(b)))
-            };
+            let name = |a: LinkId, b: LinkId| self.case.named(&Quantity::Centre(a.min(b), a.max(b)));
             let how = format!("the line through {} and {}", name(i, k), name(l, j));
             let along = minus(b, a);
             for &[base, direction] in &right {
@@ -895,7 +892,11 @@ impl Desk<'_, '_> {
             }
             _ => None,
         };
-        stated.or_else(|| direction(&self.base.construction, Reference::Guide(place)))
+        // On the student's polygon a line may be drawn square to the guide that should be along it.
+        let right = &self.case.right.construction;
+        let same = self.base.construction.space.places == right.space.places;
+        let drawn = if same { right } else { &self.base.construction };
+        stated.or_else(|| direction(drawn, Reference::Guide(place)))
     }
 
     /// Of each other link whose ω is known: that, its pole, and the centre that it shares with this link.

@@ -198,7 +198,9 @@ impl Mistake {
             }
             Kind::LoadElsewhere => "Look at which point of its link the load acts.",
             Kind::ParallelAxis => "I about the mass centre is I about another point less M·d².",
-            Kind::RatioInverted => "A ratio i : j is that of i over that of j.",
+            Kind::RatioInverted => {
+                "Write down which number stands over which: i : j is that of i over that of j, ω = V/l, h = T/F."
+            }
             Kind::RoundedCoarsely => {
                 "Hand in three figures: what follows is no better than what you round to."
             }
