@@ -16,6 +16,8 @@ const LEAST: usize = 3;
 const FOUND: f64 = 3.0;
 /// So often the value is mended.
 const ROUNDS: usize = 5;
+/// After so many times it is seen whether that leads anywhere.
+const SOON: usize = 2;
 /// By this part of its whole a value is moved to see what that does.
 const NUDGE: f64 = 1e-4;
 /// No more than this part of the whole is laid off otherwise by mistake.
@@ -75,7 +77,8 @@ impl Laid {
 /// not explained.
 pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<Hypothesis> {
     let handed_in = open.iter().filter(|index| !case.hands_in_nothing(**index)).count();
-    if handed_in < LEAST {
+    // Each value would lead a whole turning-moment diagram through its period.
+    if handed_in < LEAST || case.cycle.is_some() {
         return Vec::new();
     }
     let fit = Fit { case, drawn, open, long: longest(case) };
@@ -110,7 +113,12 @@ impl Fit<'_, '_> {
         let at = |by: [f64; 2]| self.misses(&self.drawn.and(&laid.change(by)));
         let mut by = [0.0; 2];
         let mut misses = at(by)?;
-        for _ in 0..ROUNDS {
+        let start = size(&misses);
+        for round in 0..ROUNDS {
+            // What does not bring the answers together soon is not what was laid off otherwise.
+            if round == SOON && size(&misses) > 0.5 * start {
+                return None;
+            }
             let mut slopes = Vec::new();
             for axis in 0..laid.numbers() {
                 let mut nudged = by;
