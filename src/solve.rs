@@ -1,6 +1,7 @@
 //! From a scene to its checked solution: the whole way in one call.
 
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
@@ -291,7 +292,11 @@ fn turn(scene: &Scene, settings: Settings, solution: &mut Solution) {
 }
 
 /// A mechanism whose own torque is a side of its turning-moment diagram, ready to be led through the period.
-struct Turned(sweep::Sweep);
+struct Turned {
+    sweep: sweep::Sweep,
+    /// What was found at an angle (its bits): whoever draws the diagram asks it again.
+    known: RefCell<BTreeMap<u64, Option<(f64, f64)>>>,
+}
 
 /// The mechanism at constant speed of its input, where the diagram wants its torque.
 fn turned(mechanism: &Mechanism, cycle: &Cycle) -> Option<Turned> {
@@ -308,7 +313,8 @@ fn turned(mechanism: &Mechanism, cycle: &Cycle) -> Option<Turned> {
     mechanism.run_steadily();
     let turns = mechanism.turns_of_loads()?;
     let range = (turns > 1).then(|| [0.0, f64::from(turns) * std::f64::consts::TAU]);
-    sweep::Sweep::new(&mechanism, range).ok().map(Turned)
+    let sweep = sweep::Sweep::new(&mechanism, range).ok()?;
+    Some(Turned { sweep, known: RefCell::default() })
 }
 
 /// So far beside a place where a load has no direction it has one, radians.
@@ -320,7 +326,7 @@ const ERRORS: f64 = 8.0;
 impl Turned {
     /// The place of the sweep at which the input stands at this angle.
     fn place(&self, angle: f64) -> f64 {
-        let [from, to] = self.0.range;
+        let [from, to] = self.sweep.range;
         let round = to - from;
         let times = libm::floor((angle - from) / round);
         (angle - times * round).clamp(from, to)
@@ -328,6 +334,15 @@ impl Turned {
 
     /// T(2), N m, and how far it may be off.
     fn torque(&self, angle: f64) -> Option<(f64, f64)> {
+        if let Some(known) = self.known.borrow().get(&angle.to_bits()) {
+            return *known;
+        }
+        let found = self.found(angle);
+        self.known.borrow_mut().insert(angle.to_bits(), found);
+        found
+    }
+
+    fn found(&self, angle: f64) -> Option<(f64, f64)> {
         if let Some(found) = self.at(angle) {
             return Some(found);
         }
@@ -344,7 +359,7 @@ impl Turned {
     }
 
     fn at(&self, angle: f64) -> Option<(f64, f64)> {
-        let torque = self.0.at(self.place(angle))?.first().copied().flatten()?;
+        let torque = self.sweep.at(self.place(angle))?.first().copied().flatten()?;
         let (value, error) = (torque.value, ERRORS * torque.error);
         // What is told no better than by its size is told by its neighbours.
         (value.is_finite() && error.is_finite() && error <= value.abs().max(1e-9)).then_some((value, error))
@@ -414,9 +429,7 @@ pub fn by_hand(
     // Whoever looks for a torque at many angles looks at fewer diagrams.
     let turns = scene.mechanism.forces.cycle.as_ref().is_some_and(|cycle| cycle.of().is_some());
     let number = draughtsmen.number.min(if turns { MOST_TURNS } else { MOST_DIAGRAMS });
-    let drawn: Vec<Vec<Option<f64>>> = (0..number)
-        .map(|seed| cycle_by_one_hand(&scene.mechanism, solved.scales, (draughtsmen.hand, seed)))
-        .collect();
+    let drawn = cycle_by_hands(&scene.mechanism, solved.scales, (draughtsmen.hand, number));
     for (index, asked) in scene.mechanism.asked.iter().enumerate() {
         let Quantity::Cycle(of) = asked.quantity else { continue };
         let Some(place) = cycle_quantities(&scene.mechanism).iter().position(|known| *known == of) else {
@@ -449,38 +462,50 @@ pub fn cycle_quantities(mechanism: &Mechanism) -> Vec<CycleQuantity> {
     mechanism.asked.iter().filter_map(of).collect()
 }
 
-/// What one draughtsman reads off the turning-moment diagram, whose slips follow from a seed, in the order of
-/// [`cycle_quantities`]; none where it has no such number.
+/// What each of so many draughtsmen reads off the turning-moment diagram, in the order of [`cycle_quantities`]; none where
+/// it has no such number. Their slips follow from their numbers.
 #[must_use]
-pub fn cycle_by_one_hand(
+pub fn cycle_by_hands(
     mechanism: &Mechanism,
     scales: Scales,
-    (hand, seed): (Hand, u64),
-) -> Vec<Option<f64>> {
+    (hand, number): (Hand, u64),
+) -> Vec<Vec<Option<f64>>> {
     let asked = cycle_quantities(mechanism);
-    let Some(cycle) = &mechanism.forces.cycle else { return vec![None; asked.len()] };
+    let nothing = || vec![vec![None; asked.len()]; number as usize];
+    let Some(cycle) = &mechanism.forces.cycle else { return nothing() };
     let paper = match (scales.paper().cycle, &cycle.sides) {
         (Some(paper), _) => paper,
         // Areas that are given stand on no paper of his.
         (None, Sides::Areas { .. }) => [1.0; 2],
-        (None, _) => return vec![None; asked.len()],
+        (None, _) => return nothing(),
     };
-    let drawn = graphical::cycle_by_hand::drawn_by_hand(cycle, paper, hand, seed);
-    let numbers = cycle_numbers(mechanism, &drawn.cycle, &asked, &|at| drawn.missed(at));
-    asked.into_iter().zip(numbers).map(|(of, number)| Some(drawn.read(of, number?))).collect()
+    // All look at one mechanism.
+    let turned = turned(mechanism, cycle);
+    let by = |seed| {
+        let drawn = graphical::cycle_by_hand::drawn_by_hand(cycle, paper, hand, seed);
+        let missed = |at| drawn.missed(at);
+        let numbers = numbers_of_cycle(mechanism, (&drawn.cycle, turned.as_ref()), &asked, &missed);
+        asked.iter().zip(numbers).map(|(of, number)| Some(drawn.read(*of, number?))).collect()
+    };
+    (0..number).map(by).collect()
 }
 
-/// The numbers of a turning-moment diagram without their bounds; `missed` is added to the mechanism's own torque.
+/// The numbers of a mechanism's turning-moment diagram without their bounds.
 #[must_use]
-pub fn cycle_numbers(
+pub fn cycle_numbers(mechanism: &Mechanism, cycle: &Cycle, asked: &[CycleQuantity]) -> Vec<Option<f64>> {
+    let turned = turned(mechanism, cycle);
+    numbers_of_cycle(mechanism, (cycle, turned.as_ref()), asked, &|_| 0.0)
+}
+
+/// The same; `missed` is added to the mechanism's own torque.
+fn numbers_of_cycle(
     mechanism: &Mechanism,
-    cycle: &Cycle,
+    (cycle, turned): (&Cycle, Option<&Turned>),
     asked: &[CycleQuantity],
     missed: &dyn Fn(f64) -> f64,
 ) -> Vec<Option<f64>> {
-    let turned = turned(mechanism, cycle);
     let at = |angle: f64| {
-        let (torque, error) = turned.as_ref()?.torque(angle)?;
+        let (torque, error) = turned?.torque(angle)?;
         Some((torque + missed(angle), error))
     };
     let knots = mechanism.forces.knots();
@@ -550,7 +575,7 @@ pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<
         return analytic::solve_for(mechanism, quantities);
     };
     let turned = turned(mechanism, cycle);
-    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.sweep.mechanism_at(turned.place(angle)));
     let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
     analytic::solve_cycle(mechanism, quantities, standing)
 }

@@ -40,6 +40,7 @@ mod friction;
 mod goldens;
 mod grade;
 mod grade_follows;
+mod grade_names;
 mod grade_room;
 mod groups;
 #[path = "hard/main.rs"]

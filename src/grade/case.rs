@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InputChange, Misreading, Stray, Which};
+use super::force_mistakes::same as same_force;
 use super::symbols::Symbols;
 use super::turned::{self, Turns};
 use super::{GradeError, GradeSettings};
@@ -24,7 +25,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
-use crate::sheet::{HandedIn, Symbol};
+use crate::sheet::{HandedIn, OwnForce, Symbol};
 use crate::solve::{self, Solved};
 use crate::tolerance::{self, Ground, Standard, Tolerated};
 
@@ -494,11 +495,11 @@ impl<'s> Case<'s> {
         if let Some(seed) = draughtsman {
             let misses = self.turned_by_hand.get_or_init(|| {
                 let right = self.turned(&Change::default(), &asked);
-                let by = |seed| solve::cycle_by_one_hand(&self.mechanism, self.scales, (self.hand, seed));
                 let missed = |own: Numbers| {
                     own.into_iter().zip(&right).map(|(own, right)| Some(own? - (*right)?)).collect()
                 };
-                (0..TURNING).map(|seed| missed(by(seed))).collect()
+                let by_hand = solve::cycle_by_hands(&self.mechanism, self.scales, (self.hand, TURNING));
+                by_hand.into_iter().map(missed).collect()
             });
             if let Some(misses) = misses.get((seed % TURNING) as usize) {
                 for (number, miss) in numbers.iter_mut().zip(misses) {
@@ -522,7 +523,7 @@ impl<'s> Case<'s> {
         }
         let mechanism = change.mechanism(&self.mechanism);
         let mut numbers = match &mechanism.forces.cycle {
-            Some(cycle) => solve::cycle_numbers(&mechanism, cycle, asked, &|_| 0.0),
+            Some(cycle) => solve::cycle_numbers(&mechanism, cycle, asked),
             None => vec![None; asked.len()],
         };
         // What turns may be heavy enough for a wrong rate: who reckons on finds a flywheel lighter than nothing.
@@ -771,6 +772,63 @@ impl<'s> Case<'s> {
             (Target::Image(of, _), _) => of == order,
             (_, quantity) => quantity.is_some_and(|quantity| quantity.order() == order),
         })
+    }
+
+    /// The same of what is not found by centres: of these no polygon is drawn.
+    pub(super) fn draws(&self, order: Order) -> bool {
+        let by_centres = |quantity: &Quantity| {
+            let mut asked = self.scene.mechanism.asked.iter();
+            asked.any(|asked| asked.quantity == *quantity && asked.method == Method::Centres)
+        };
+        self.observations.iter().any(|observation| match (observation.target, observation.quantity) {
+            (Target::Image(of, _), _) => of == order,
+            (_, quantity) => {
+                let centre = matches!(quantity, Some(Quantity::Centre(..)));
+                quantity.is_some_and(|of| of.order() == order && !centre && !by_centres(&of))
+            }
+        })
+    }
+
+    /// The free bodies of the right solution, where forces are asked.
+    pub(super) fn balance(&self) -> Option<&ForceSheet> {
+        self.sheet.as_ref()
+    }
+
+    /// A centre or a joint as the student has it and as it is right, mm from the skeleton's origin.
+    pub(super) fn place_handed_in(&self, index: usize) -> Option<(Quantity, [f64; 2], [f64; 2])> {
+        let observation = &self.observations[index];
+        let (quantity, own) = match (place_given(observation), observation.quantity, observation.given) {
+            (Some((point, at)), ..) => (Quantity::Position(point), at),
+            (None, Some(quantity @ Quantity::Centre(..)), Given::Vector(at)) => (quantity, at),
+            _ => return None,
+        };
+        let &[x, y] = self.truth[index].as_deref()? else { return None };
+        let mm = |at: [f64; 2]| at.map(|metres| metres / self.si_per_mm(Order::Position));
+        Some((quantity, mm(own), mm([x, y])))
+    }
+
+    /// A force as the student has it, N, as it acts on the first body (its index) in whose polygon it stands.
+    pub(super) fn force_handed_in(&self, index: usize) -> Option<OwnForce> {
+        let observation = &self.observations[index];
+        let Some(Quantity::Force(Force::Vector(action), Share::Total)) = observation.quantity else {
+            return None;
+        };
+        let &[x, y] = self.truth[index].as_deref()? else { return None };
+        let own = match observation.given {
+            Given::Vector(force) => force,
+            Given::Magnitude(long) | Given::Drawn(long) if size(&[x, y]) > 0.0 => {
+                [x, y].map(|part| part * long / size(&[x, y]))
+            }
+            _ => return None,
+        };
+        let bodies = self.balance()?.bodies.iter().enumerate();
+        let mut standing =
+            bodies.flat_map(|(body, free)| free.acting.iter().map(move |acting| (body, acting)));
+        let (body, acting) = standing.find(|(_, acting)| same_force(acting.action, action))?;
+        // On the other body of its pair it has the opposite sense.
+        let along = acting.force[0] * x + acting.force[1] * y;
+        let force = if along < 0.0 { own.map(|part| -part) } else { own };
+        Some(OwnForce { body, action: acting.action, force })
     }
 
     /// A vector of a polygon as the student handed it in; a magnitude has the direction that the drawing gives it.

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use crate::given::Given;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
+use crate::mechanism::cycle::RotatingInertia;
 use crate::mechanism::force::{Inertia, LoadKind, Pressure, Size, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
@@ -51,6 +52,8 @@ pub(super) enum InputChange {
     Period(f64),
     /// The wanted fluctuation of speed is multiplied.
     Fluctuation(f64),
+    /// The inertia of what turns with the input, by its index, is multiplied.
+    Rotating { index: usize, factor: f64 },
 }
 
 /// What was drawn was read or written down otherwise.
@@ -189,6 +192,16 @@ impl Change {
                 InputChange::Fluctuation(factor) => {
                     if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
                         cycle.fluctuation = cycle.fluctuation.map(|given| given.times(factor));
+                    }
+                }
+                InputChange::Rotating { index, factor } => {
+                    let cycle = mechanism.to_mut().forces.cycle.as_mut();
+                    let rotating = cycle.and_then(|cycle| cycle.rotating.get_mut(index));
+                    if let Some(rotating) = rotating {
+                        let (RotatingInertia::Central(of)
+                        | RotatingInertia::Mass(of, _)
+                        | RotatingInertia::Weight(of, _)) = &mut rotating.inertia;
+                        *of = of.times(factor);
                     }
                 }
             }

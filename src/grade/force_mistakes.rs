@@ -4,14 +4,14 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
-use super::mistakes::{List, PLAIN, apart, one_of};
+use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
 use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::cycle::{CycleQuantity, Sides};
-use crate::mechanism::force::{Action, Force, Heaviness, Inertia, LoadKind, Party, Share, Size};
+use crate::mechanism::cycle::{CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::force::{Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Share, Size};
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
 use crate::mechanism::quantity::Quantity;
-use crate::mechanism::{LinkId, PointId, Slide};
+use crate::mechanism::{Input, LinkId, PointId, Slide};
 
 /// An arm that differs from the distance of the pin by less than this part is that distance.
 const SAME_ARM: f64 = 0.03;
@@ -28,7 +28,7 @@ struct Standing<'s> {
 impl List<'_, '_> {
     /// What may be wrong with a balance as it stands.
     pub(super) fn forces(&mut self, sheet: &ForceSheet) {
-        self.inertia();
+        self.inertia(sheet);
         self.weights_and_masses();
         self.all_weights();
         self.loads_elsewhere(sheet);
@@ -38,6 +38,8 @@ impl List<'_, '_> {
         self.handed_on_reversed(sheet);
         self.arms(sheet);
         self.arms_of_the_drawing();
+        self.torques(sheet);
+        self.offsets_inverted();
         self.guides(sheet);
         self.friction();
         self.shares();
@@ -50,7 +52,7 @@ impl List<'_, '_> {
 
     // --- inertia -------------------------------------------------------------------------------
 
-    fn inertia(&mut self) {
+    fn inertia(&mut self, sheet: &ForceSheet) {
         let masses = self.case.mechanism.forces.masses.clone();
         let moves = |mass: &&crate::mechanism::force::Mass| !self.case.mechanism.is_fixed(mass.centre);
         let links: Vec<Option<LinkId>> =
@@ -99,6 +101,34 @@ impl List<'_, '_> {
             let none = vec![Departure::Offset { link, factor: 0.0 }];
             self.add(Kind::ForceLeftOut, &couple, None, price + 0.25, Change::drawn(none));
         }
+        for mass in masses.iter().filter(turns) {
+            self.inertia_torque(mass, sheet);
+        }
+    }
+
+    /// An inertia torque that was found rightly and left out of the balance of its link, and one with the diameter of
+    /// gyration.
+    fn inertia_torque(&mut self, mass: &Mass, sheet: &ForceSheet) {
+        let link = mass.link;
+        let name = self.force_name(Force::InertiaTorque(link));
+        if let Inertia::Gyration(_) = mass.inertia {
+            for factor in [4.0, 0.25] {
+                let torque = Departure::InertiaTorque { link: Some(link), factor };
+                self.add(Kind::DiameterForRadius, &name, None, PLAIN, Change::drawn(vec![torque]));
+            }
+        }
+        let Some(centre) = self.place(mass.centre) else { return };
+        let own = |acting: &&Acting| same(acting.action, Action::Inertia(link));
+        let Some(acting) = sheet.bodies.iter().flat_map(|body| &body.acting).find(own) else { return };
+        // The moment of the inertia force, on its line beside the mass centre, about the mass centre.
+        let arm = [acting.through[0] - centre[0], acting.through[1] - centre[1]];
+        let couple = arm[1] * acting.force[0] - arm[0] * acting.force[1];
+        if couple == 0.0 {
+            return;
+        }
+        let how = format!("left out of the moments of link {}", self.number(link));
+        let beside = Departure::Beside { link, force: [0.0; 2], at: centre, couple };
+        self.add_so((Kind::ForceLeftOut, how), &name, None, 0.5, Change::drawn(vec![beside]));
     }
 
     /// W for M, and M for W.
@@ -175,8 +205,18 @@ impl List<'_, '_> {
     fn loads_calculated(&mut self) {
         let loads = self.case.mechanism.forces.loads.clone();
         for (index, load) in loads.iter().enumerate() {
-            let LoadKind::Force { size: Size::Pressure { .. }, .. } = load.kind else { continue };
+            let LoadKind::Force { size: Size::Pressure { area, .. }, .. } = load.kind else { continue };
             let name = self.force_name(Force::Vector(Action::Load(index)));
+            if let Area::Bore { bore, rod: Some(rod) } = area {
+                let [bore, rod] = [bore.value, rod.value].map(|diameter| diameter * diameter);
+                for (factor, how) in [
+                    (bore / (bore - rod), "the rod was not taken off the area"),
+                    (rod / (bore - rod), "the area of the rod alone"),
+                ] {
+                    let change = Change::of_inputs(InputChange::Load { index, factor });
+                    self.add_so((Kind::LoadWrong, how.to_owned()), &name, None, PLAIN, change);
+                }
+            }
             for factor in [4.0, 0.25] {
                 let change = Change::of_inputs(InputChange::Load { index, factor });
                 self.add(Kind::DiameterForRadius, &name, None, PLAIN, change);
@@ -426,6 +466,73 @@ impl List<'_, '_> {
         }
     }
 
+    /// A torque on a link by a force on it and the length of some link in the place of its arm.
+    fn torques(&mut self, sheet: &ForceSheet) {
+        let lengths = self.lengths();
+        for quantity in self.observed() {
+            let Quantity::Force(Force::Torque(input), _) = quantity else { continue };
+            let Some(&(Input::Angle { link, .. } | Input::Speed { link, .. })) =
+                self.case.mechanism.inputs.get(input)
+            else {
+                continue;
+            };
+            let Some(right) = self.right_number(&quantity) else { continue };
+            let body = sheet.bodies.iter().find(|body| body.of == Party::Link(link));
+            let mut sizes: Vec<f64> = Vec::new();
+            for force in body.iter().flat_map(|body| &body.acting).map(|acting| acting.force) {
+                let size = libm::hypot(force[0], force[1]);
+                if size > 0.0 && sizes.iter().all(|known| (known - size).abs() > SAME_ARM * size) {
+                    sizes.push(size);
+                }
+            }
+            let name = self.name(&quantity);
+            let price = 0.5 + one_of(sizes.len() * lengths.len()) / 2.0;
+            for (size, length) in sizes.iter().flat_map(|size| lengths.iter().map(move |l| (size, l))) {
+                let factor = size * length / right.abs();
+                if right == 0.0 || (factor - 1.0).abs() <= SAME_ARM {
+                    continue;
+                }
+                let twist = Twist::scaled(factor);
+                let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+                let how = format!("a length of {}", self.told(*length));
+                self.add_so((Kind::ArmToPin, how), &name, None, price, read);
+            }
+        }
+    }
+
+    /// h = F/T for T/F.
+    fn offsets_inverted(&mut self) {
+        for mass in self.case.mechanism.forces.masses.clone() {
+            let quantity = Quantity::Force(Force::Offset(mass.link), Share::Total);
+            let Some(right) = self.right_number(&quantity).filter(|right| *right != 0.0) else { continue };
+            let name = self.name(&quantity);
+            let (unit, metre) = (self.case.scene.units.length.si, 1.0);
+            let mut tried: Vec<f64> = Vec::new();
+            // The number has no unit of length: it is written down as metres or in the unit of the answer.
+            for (of, written) in [(metre, metre), (metre, unit), (unit, unit)] {
+                let factor = of * written / (right * right);
+                if tried.contains(&factor) {
+                    continue;
+                }
+                tried.push(factor);
+                let twist = Twist::scaled(factor);
+                let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+                self.add(Kind::RatioInverted, &name, None, PLAIN, read);
+                let drawn = Departure::Offset { link: Some(mass.link), factor };
+                self.add(Kind::RatioInverted, &name, None, 0.25, Change::drawn(vec![drawn]));
+            }
+        }
+    }
+
+    /// What is right of an answer that is one number.
+    fn right_number(&self, quantity: &Quantity) -> Option<f64> {
+        let index = self.case.observations.iter().position(|own| own.quantity == Some(*quantity))?;
+        match self.case.truth[index].as_deref() {
+            Some(&[right]) => Some(right),
+            _ => None,
+        }
+    }
+
     // --- guides and friction -------------------------------------------------------------------
 
     /// The force of a guide along another line than square to it.
@@ -585,18 +692,67 @@ impl List<'_, '_> {
             .into_iter()
             .filter(|quantity| matches!(quantity, Quantity::Cycle(of) if is_energy(*of)))
             .collect();
-        let turned = |of: &[Quantity]| {
-            let twist = Twist::scaled(180.0 / std::f64::consts::PI);
+        let scaled = |of: &[Quantity], factor: f64| {
+            let twist = Twist::scaled(factor);
             let readings = of.iter().map(|&of| Misreading::Twisted { of: Which::One(of), twist });
             Change { readings: readings.collect(), ..Change::default() }
         };
+        let degrees = 180.0 / std::f64::consts::PI;
+        let mut ways = vec![(Kind::DegAsRad, None, degrees)];
+        if let Some(Sides::Areas { torque, angle, .. }) =
+            self.case.mechanism.forces.cycle.as_ref().map(|cycle| &cycle.sides)
+        {
+            let left_out = |what: &str| Some(format!("the scale of {what} was left out"));
+            ways.extend([
+                (Kind::ScaleForgotten, left_out("angles"), 1.0 / angle.value),
+                (Kind::ScaleForgotten, left_out("torques"), 1.0 / torque.value),
+                (Kind::ScaleForgotten, left_out("torques"), degrees / torque.value),
+                (Kind::ScaleForgotten, left_out("torques and angles"), 1.0 / (torque.value * angle.value)),
+            ]);
+        }
         let mean = |of: &Quantity| {
             matches!(of, Quantity::Cycle(CycleQuantity::Mean | CycleQuantity::Power | CycleQuantity::Work))
         };
         let levels: Vec<Quantity> = all.iter().copied().filter(|of| !mean(of)).collect();
         for group in [&all, &levels] {
-            if !group.is_empty() {
-                self.add(Kind::DegAsRad, "the areas of the diagram", None, PLAIN, turned(group));
+            for (kind, how, factor) in ways.iter().filter(|_| !group.is_empty()) {
+                let at = "the areas of the diagram".to_owned();
+                let change = scaled(group, *factor);
+                let (kind, how, step) = (*kind, how.clone(), None);
+                self.found.push(Hypothesis { kind, at, step, price: PLAIN, change, how });
+            }
+        }
+    }
+
+    /// The inertia of what turns with a weight for its mass or a diameter for its radius, and ω for ω² in what is reckoned
+    /// from it.
+    fn what_turns(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let (rotating, omega) = (cycle.rotating.clone(), cycle.omega.value.abs());
+        let g = self.case.mechanism.forces.gravity.g.value;
+        let inertia = self.name(&Quantity::Cycle(CycleQuantity::Inertia));
+        for (index, one) in rotating.iter().enumerate() {
+            let mut ways: Vec<(Kind, f64)> = Vec::new();
+            match one.inertia {
+                RotatingInertia::Central(_) => {}
+                RotatingInertia::Mass(..) => ways.push((Kind::MassAsWeight, 1.0 / g)),
+                RotatingInertia::Weight(..) => ways.push((Kind::WeightAsMass, g)),
+            }
+            if !matches!(one.inertia, RotatingInertia::Central(_)) {
+                ways.extend([(Kind::DiameterForRadius, 4.0), (Kind::DiameterForRadius, 0.25)]);
+            }
+            for (kind, factor) in ways {
+                let change = Change::of_inputs(InputChange::Rotating { index, factor });
+                self.add(kind, &inertia, None, PLAIN, change);
+            }
+        }
+        for of in [CycleQuantity::OfSpeed, CycleQuantity::Flywheel].map(Quantity::Cycle) {
+            if omega > 0.0 && self.observed().contains(&of) {
+                let name = self.name(&of);
+                // So that its square is ω.
+                let root = 1.0 / omega.sqrt();
+                let read = Change::read(Misreading::RateIn { of, omega: root });
+                self.add(Kind::RateNotSquared, &name, None, PLAIN, read);
             }
         }
     }
@@ -626,6 +782,7 @@ impl List<'_, '_> {
             self.add(Kind::OneTurnForTwo, at, None, 0.5, read);
         }
         self.areas_of_diagram();
+        self.what_turns();
         let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
         if cycle.fluctuation.is_some() {
             let half = Change::of_inputs(InputChange::Fluctuation(0.5));
@@ -671,7 +828,7 @@ fn is_energy(of: CycleQuantity) -> bool {
 }
 
 /// Whether two actions are one force, or a force and its reaction.
-fn same(one: Action, other: Action) -> bool {
+pub(super) fn same(one: Action, other: Action) -> bool {
     let key = |action: Action| match action {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),

@@ -8,6 +8,7 @@
 use super::answers::Given;
 use super::case::{Case, Observation, Room, Target, WIDE, size};
 use super::change::{Change, InputChange, Misreading, Which};
+use super::fitted;
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
 use super::routes;
@@ -200,7 +201,9 @@ impl Judge<'_, '_> {
     /// The mistakes that explain the answer, ranked, and all that the student is taken to have drawn so far.
     fn explain(&self) -> (Vec<Mistake>, Change) {
         let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), self.drawn.clone()) };
-        let hypotheses = mistakes::all(self.case, &base, self.drawn);
+        let mut hypotheses = mistakes::all(self.case, &base, self.drawn);
+        let open: Vec<usize> = (0..self.verdicts.len()).filter(|&i| self.verdicts[i].is_none()).collect();
+        hypotheses.extend(fitted::laid_off(self.case, self.drawn, &open));
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
         let unmoved = self.case.seen(&base, self.drawn);
@@ -212,10 +215,9 @@ impl Judge<'_, '_> {
         self.credit(&mut tried);
         tried.retain(|t| t.cost < price && !self.contradicts(t));
         // Two mistakes fit any one number: there must be more to be explained.
-        let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
         let mut two = false;
         // Nor does any one number that is nothing.
-        if tried.is_empty() && open > 1 && !self.case.hands_in_nothing(self.first) {
+        if tried.is_empty() && open.len() > 1 && !self.case.hands_in_nothing(self.first) {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
         }

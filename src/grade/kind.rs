@@ -135,11 +135,15 @@ pub enum Kind {
     PivotMisplaced,
     /// A load was calculated wrongly from what is given.
     LoadWrong,
+    /// The angular velocity stands without its square.
+    RateNotSquared,
+    /// A centre lies on a line through centres that have no third link in common.
+    WrongCentreLine,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 66] = [
+    pub const ALL: [Self; 68] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -206,6 +210,8 @@ impl Kind {
         Self::DiameterForRadius,
         Self::PivotMisplaced,
         Self::LoadWrong,
+        Self::RateNotSquared,
+        Self::WrongCentreLine,
     ];
 
     /// Whether something is left out by it, which is then nothing.
@@ -292,6 +298,8 @@ impl Kind {
             Self::DiameterForRadius => "diameter-for-radius",
             Self::PivotMisplaced => "pivot-misplaced",
             Self::LoadWrong => "load-wrong",
+            Self::RateNotSquared => "rate-not-squared",
+            Self::WrongCentreLine => "wrong-centre-line",
         }
     }
 }

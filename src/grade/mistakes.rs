@@ -57,6 +57,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.written_otherwise();
     list.directions();
     list.degrees();
+    list.centres(so_far);
     if let Some(sheet) = case.bodies(drawn) {
         // Nobody who answered nothing of the motion shows where its polygons went wrong.
         if ![Order::Velocity, Order::Acceleration].into_iter().any(|order| case.answers(order)) {
@@ -71,7 +72,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
 pub(super) struct List<'c, 's> {
     pub(super) case: &'c Case<'s>,
     pub(super) construction: &'c Construction,
-    found: Vec<Hypothesis>,
+    pub(super) found: Vec<Hypothesis>,
 }
 
 /// A link as its own calculation knows it.
@@ -129,16 +130,19 @@ impl<'c> List<'c, '_> {
         }
         for units in &self.case.scene.input_units {
             let Some(rate) = &units.rate else { continue };
-            let turn = 2.0 * PI;
+            let (turn, degrees) = (2.0 * PI, 180.0 / PI);
             let mixed: &[(Kind, f64, f64)] = if rate.symbol == "rpm" || rate.symbol.ends_with("/min") {
                 // Turned into revolutions per second only, or only by 2π.
                 &[
                     (Kind::RpmAsRad, 1.0 / rate.si, PLAIN),
                     (Kind::RevAsRad, 1.0 / turn, PLAIN),
                     (Kind::RpmAsRad, 60.0, UNUSUAL),
+                    (Kind::DegAsRad, degrees, 1.0),
                 ]
             } else if rate.symbol.starts_with("rev") {
-                &[(Kind::RevAsRad, 1.0 / turn, PLAIN)]
+                &[(Kind::RevAsRad, 1.0 / turn, PLAIN), (Kind::DegAsRad, degrees, 1.0)]
+            } else if rate.symbol.starts_with("deg") {
+                &[(Kind::DegAsRad, degrees, PLAIN)]
             } else if rate.symbol.starts_with("rad") {
                 // Taken for rpm and converted, or converted into rpm and used.
                 &[
@@ -272,6 +276,22 @@ impl<'c> List<'c, '_> {
                     for &(_, other) in omegas.iter().filter(|(of, _)| *of != link) {
                         let factor = (other / own) * (other / own);
                         read(self, Kind::RatioInverted, price, twist(factor));
+                        // With the ratios that are reckoned from it.
+                        let ratios = self.observed().into_iter().filter_map(|ratio| {
+                            let factor = match ratio {
+                                Quantity::Ratio(of, _) | Quantity::Advantage(_, of) if of == link => factor,
+                                Quantity::Ratio(_, of) | Quantity::Advantage(of, _) if of == link => {
+                                    1.0 / factor
+                                }
+                                _ => return None,
+                            };
+                            Some(Misreading::Twisted { of: Which::One(ratio), twist: Twist::scaled(factor) })
+                        });
+                        let readings: Vec<Misreading> = [twist(factor)].into_iter().chain(ratios).collect();
+                        if readings.len() > 1 {
+                            let all = Change { readings, ..Change::default() };
+                            self.add(Kind::RatioInverted, &name, None, price, all);
+                        }
                     }
                 }
                 Quantity::Rub(_, i, j) => {
@@ -348,9 +368,7 @@ impl<'c> List<'c, '_> {
                 let [long, length] = [size(&difference(at, base)), size(&difference(from, right))];
                 let name = |id: PointId| self.case.mechanism.point(id).name.clone();
                 let at = format!("the length {}{}", name(end), name(point));
-                let unit = &self.case.scene.units.length;
-                let told = |metres: f64| super::text::digits(metres / unit.si, metres / unit.si / 100.0);
-                let how = format!("{} for {} {}", told(long), told(length), unit.symbol);
+                let how = format!("{} for {}", self.told(long), self.told(length));
                 let ends = [own.min(other), own.max(other)];
                 let change = Change::of_inputs(InputChange::Length { link, ends, factor: long / length });
                 if length > 0.0
@@ -686,6 +704,7 @@ impl<'c> List<'c, '_> {
                     }
                     if value > 0.0 {
                         self.normals_of_others(&quantity, step, ends, [speed, length, value], &turning);
+                        self.normal_by_other_lengths(&quantity, step, length, &lengths);
                     }
                 }
                 Act::Calculate(Calculation::Tangential { quantity, link, length, value, .. }) => {
@@ -839,6 +858,49 @@ impl<'c> List<'c, '_> {
                     1.0 + price,
                     Twist { factor: whole, turn },
                 );
+            }
+        }
+    }
+
+    /// ω² l or V² / l with the own ω or V, and another length.
+    fn normal_by_other_lengths(&mut self, quantity: &Quantity, step: usize, length: f64, lengths: &[f64]) {
+        let name = self.name(quantity);
+        let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
+        let price = 0.5 + one_of(2 * lengths.len()) / 3.0;
+        for other in others {
+            let how = format!("with the length {}", self.told(*other));
+            for factor in [other / length, length / other] {
+                let twist = Twist::scaled(factor);
+                let laid_off = Change::drawn(vec![Departure::LaidOff { quantity: *quantity, twist }]);
+                let kind = (Kind::NormalOfWrongLink, how.clone());
+                self.add_so(kind, &name, Some(step), price, laid_off);
+            }
+        }
+    }
+
+    /// A length as the scene writes lengths.
+    pub(super) fn told(&self, metres: f64) -> String {
+        let unit = &self.case.scene.units.length;
+        let number = metres / unit.si;
+        format!("{} {}", super::text::digits(number, number.abs() / 100.0), unit.symbol)
+    }
+
+    // --- centres -------------------------------------------------------------------------------
+
+    /// Centres on a line through two centres that have no third link in common.
+    fn centres(&mut self, so_far: &Sketch) {
+        for (index, observation) in self.case.observations.iter().enumerate() {
+            let (Some(of @ Quantity::Centre(..)), Some(&[x, y])) =
+                (observation.quantity, self.case.truth[index].as_deref())
+            else {
+                continue;
+            };
+            let name = self.name(&of);
+            let found = super::routes::on_wrong_lines(self.case, so_far, index);
+            let price = 0.5 + one_of(found.len()) / 2.0;
+            for (how, at) in found {
+                let change = Change::read(Misreading::Plus { of, by: [at[0] - x, at[1] - y] });
+                self.add_so((Kind::WrongCentreLine, how), &name, None, price, change);
             }
         }
     }
@@ -1488,7 +1550,7 @@ impl<'c> List<'c, '_> {
     }
 
     /// The lengths between any two points of a link.
-    fn lengths(&self) -> Vec<f64> {
+    pub(super) fn lengths(&self) -> Vec<f64> {
         let mut lengths: Vec<f64> = Vec::new();
         let mechanism = &self.case.mechanism;
         for (_, act) in self.acts() {

@@ -29,6 +29,7 @@ mod class;
 mod csv;
 mod digits;
 mod drawing;
+mod fitted;
 mod force_mistakes;
 mod judge;
 mod kind;
@@ -64,9 +65,9 @@ pub use symbols::Symbols;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::{DiagramKind, Order};
 use crate::scene::{Diagnostic, Scene};
-use crate::sheet::Figure;
+use crate::sheet::{Figure, Own, Spot};
 use crate::solve::SolveError;
 use crate::tolerance::DRAUGHTSMEN;
 pub use crate::tolerance::MAX_TOLERANCE;
@@ -138,10 +139,17 @@ pub fn grade_with_overlay(
     let report = report::report(&case, answers, &judgement);
     let student = case.drawn(&judgement.drawn, None);
     let student = student.as_ref().unwrap_or(&case.right);
-    let mut handed_in = Vec::new();
-    for (index, verdict) in judgement.verdicts.iter().enumerate() {
-        if matches!(verdict, Verdict::Wrong | Verdict::Consistent) {
-            handed_in.extend(case.handed_in(index, student));
+    let amiss = |index: &usize| matches!(judgement.verdicts[*index], Verdict::Wrong | Verdict::Consistent);
+    let (mut own, mut spots) = (Own::default(), vec![None; judgement.verdicts.len()]);
+    for index in (0..judgement.verdicts.len()).filter(amiss) {
+        own.vectors.extend(case.handed_in(index, student));
+        if let Some((quantity, at, right)) = case.place_handed_in(index) {
+            own.places.push((quantity, at, right));
+            spots[index] = Some(Spot::In(DiagramKind::Skeleton, at));
+        }
+        if let Some(force) = case.force_handed_in(index) {
+            spots[index] = Some(Spot::Force(own.forces.len()));
+            own.forces.push(force);
         }
     }
     let named: Vec<String> = report
@@ -161,20 +169,22 @@ pub fn grade_with_overlay(
         .iter()
         .zip(&named)
         .filter_map(|(fault, text)| {
-            let own = case.handed_in(fault.first, student).map(|own| (own.diagram, own.to));
-            let place = || case.place_of(fault.first, student).map(|(order, at)| (order.diagram(), at));
-            let (diagram, at) = own.or_else(place)?;
-            Some(crate::sheet::Fault { diagram, at, text })
+            let own = || case.handed_in(fault.first, student).map(|own| Spot::In(own.diagram, own.to));
+            let place =
+                || case.place_of(fault.first, student).map(|(order, at)| Spot::In(order.diagram(), at));
+            let at = spots[fault.first].or_else(own).or_else(place)?;
+            Some(crate::sheet::Fault { at, text })
         })
         .collect();
     // A polygon of which nothing was answered is not laid under anything.
     let mut right = case.right.construction.clone();
     for order in [Order::Velocity, Order::Acceleration] {
-        if !case.answers(order) {
+        if !case.draws(order) {
             right.diagrams.retain(|diagram| diagram.kind != order.diagram());
         }
     }
-    let figure = crate::sheet::overlay(scene, &right, &student.construction, &handed_in, &faults);
+    let (balance, drawn) = (case.balance(), (&student.construction, &own));
+    let figure = crate::sheet::overlay(scene, &right, drawn, balance, &faults);
     Ok((report, figure))
 }
 

@@ -60,6 +60,14 @@ pub(super) fn follows(
     desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, index, &fits)
 }
 
+/// Where a centre would be found on one right line and on one through two centres that no third link has in common, with
+/// what these are; the others are as the student has them.
+pub(super) fn on_wrong_lines(case: &Case<'_>, base: &Sketch, index: usize) -> Vec<(String, Xy)> {
+    let Some(Quantity::Centre(i, j)) = case.observations[index].quantity else { return Vec::new() };
+    let (seen, verdicts) = (&case.truth, &vec![Some(Verdict::Right); case.observations.len()]);
+    Desk { case, base, seen, verdicts, index }.on_wrong_lines(i, j)
+}
+
 /// ω of a link as it stands in a drawing, given or calculated.
 pub(super) fn omega_of(case: &Case<'_>, base: &Sketch, link: LinkId) -> Option<f64> {
     let given = case.mechanism.inputs.iter().find_map(|input| match *input {
@@ -816,6 +824,37 @@ impl Desk<'_, '_> {
         ways
     }
 
+    /// See [`on_wrong_lines`].
+    fn on_wrong_lines(&self, i: LinkId, j: LinkId) -> Vec<(String, Xy)> {
+        let mechanism = &self.case.mechanism;
+        let third: Vec<LinkId> = [LinkId::FRAME]
+            .into_iter()
+            .chain(mechanism.moving())
+            .filter(|link| *link != i && *link != j && !mechanism.link(*link).block)
+            .collect();
+        let right = third.iter().filter_map(|&k| self.line_of_centres([i, j, k], Self::stated_centre));
+        let right: Vec<[Xy; 2]> = right.map(|line| line.value).collect();
+        let mut found: Vec<(String, Xy)> = Vec::new();
+        for (&k, &l) in third.iter().flat_map(|k| third.iter().map(move |l| (k, l))) {
+            let (Some(a), Some(b)) = (self.stated_centre(i, k), self.stated_centre(l, j)) else { continue };
+            if k == l {
+                continue;
+            }
+            let [a, b] = [a.value, b.value];
+            let name = |a: LinkId, b: LinkId| self.case.named(&Quantity::Centre(a.min(b), a.max(b)));
+            let how = format!("the line through {} and {}", name(i, k), name(l, j));
+            let along = minus(b, a);
+            for &[base, direction] in &right {
+                let sine = cross(direction, along);
+                if sine.abs() > FLAT * size(&direction) * size(&along) {
+                    let far = cross(minus(a, base), along) / sine;
+                    found.push((how.clone(), plus(base, times(direction, far))));
+                }
+            }
+        }
+        found
+    }
+
     /// A point and the direction of the line on which the centre of two links lies with those that a third one shares with
     /// them; what only slides on another has its centre square to the guide at infinity.
     fn line_of_centres(
@@ -853,7 +892,11 @@ impl Desk<'_, '_> {
             }
             _ => None,
         };
-        stated.or_else(|| direction(&self.base.construction, Reference::Guide(place)))
+        // On the student's polygon a line may be drawn square to the guide that should be along it.
+        let right = &self.case.right.construction;
+        let same = self.base.construction.space.places == right.space.places;
+        let drawn = if same { right } else { &self.base.construction };
+        stated.or_else(|| direction(drawn, Reference::Guide(place)))
     }
 
     /// Of each other link whose ω is known: that, its pole, and the centre that it shares with this link.

@@ -82,6 +82,8 @@ impl Mistake {
             Kind::DiameterForRadius => format!("{at}: diameter and radius mixed up"),
             Kind::PivotMisplaced => format!("the pivot {at} stands elsewhere than given"),
             Kind::LoadWrong => format!("{at}: calculated wrongly from what is given"),
+            Kind::RateNotSquared => format!("{at}: ω in the place of ω²"),
+            Kind::WrongCentreLine => format!("{at}: found on a line on which it does not lie"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -196,13 +198,19 @@ impl Mistake {
             }
             Kind::LoadElsewhere => "Look at which point of its link the load acts.",
             Kind::ParallelAxis => "I about the mass centre is I about another point less M·d².",
-            Kind::RatioInverted => "A ratio i : j is that of i over that of j.",
+            Kind::RatioInverted => {
+                "Write down which number stands over which: i : j is that of i over that of j, ω = V/l, h = T/F."
+            }
             Kind::RoundedCoarsely => {
                 "Hand in three figures: what follows is no better than what you round to."
             }
             Kind::DiameterForRadius => "Look whether the radius or the diameter is given.",
             Kind::PivotMisplaced => "Lay off the fixed points once more before the links.",
             Kind::LoadWrong => "Write area and pressure with their units before you multiply.",
+            Kind::RateNotSquared => "The energy of what turns grows with ω²: K_s = E_f/(I·ω²).",
+            Kind::WrongCentreLine => {
+                "The centre of links i and j lies on the line through those that both have with one third link."
+            }
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }

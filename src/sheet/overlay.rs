@@ -1,17 +1,20 @@
-//! A student's polygons over the right ones.
+//! A student's polygons, centres and forces over the right ones.
 
 use kurbo::{Point, Rect, Vec2};
 
 use super::compose::{cut, localised};
 use super::feet::told_apart;
-use super::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape};
+use super::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape, Tone};
+use super::force_names;
 use super::ink::{FINE, HEAD, SMALL, THIN, head, page};
 use super::notation::Notation;
 use super::polygon;
 use super::rich::Rich;
+use super::skeleton;
 use super::words::Language;
-use crate::graphical::construction::{Construction, Diagram, Label, Mm2, VectorKind};
-use crate::mechanism::quantity::DiagramKind;
+use crate::graphical::construction::{Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind};
+use crate::mechanism::force::Action;
+use crate::mechanism::quantity::{DiagramKind, Quantity};
 use crate::scene::Scene;
 
 /// A vector of the student that lies nearer to the right one than this (mm) is not drawn twice.
@@ -34,12 +37,41 @@ const OFF: [f64; 3] = [2.4, 3.6, 5.2];
 /// Where a fault shows, and its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fault<'a> {
-    /// In which polygon.
-    pub diagram: DiagramKind,
-    /// Where the student has it, mm from the pole, y up.
-    pub at: Mm2,
+    /// In which figure.
+    pub at: Spot,
     /// What it is.
     pub text: &'a str,
+}
+
+/// Where a student has something.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spot {
+    /// In a polygon, mm from the pole, or on the skeleton, mm from its origin; y up.
+    In(DiagramKind, Mm2),
+    /// At the head of a force of [`Own::forces`], by its index.
+    Force(usize),
+}
+
+/// What a student handed in, where it is not right.
+#[derive(Debug, Clone, Default)]
+pub struct Own {
+    /// Vectors of the polygons.
+    pub vectors: Vec<HandedIn>,
+    /// Centres and joints on the skeleton, mm: the student's, and the right one.
+    pub places: Vec<(Quantity, Mm2, Mm2)>,
+    /// Forces of the balance.
+    pub forces: Vec<OwnForce>,
+}
+
+/// A force on a body as a student has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnForce {
+    /// The body, by its index in the balance.
+    pub body: usize,
+    /// Which force.
+    pub action: Action,
+    /// As it acts on that body, N.
+    pub force: [f64; 2],
 }
 
 /// A vector as the student handed it in.
@@ -58,69 +90,80 @@ pub struct HandedIn {
 /// So many times as far from the pole as the farthest image of the right polygon stands what is still drawn of the
 /// student's.
 const FARTHEST: f64 = 3.0;
+/// The largest force of a body, mm.
+const LARGEST_FORCE: f64 = 60.0;
+/// Radius of the mark of a student's centre, mm.
+const DOT: f64 = 1.2;
 /// It stands at least so far, mm.
 const LEAST_REACH: f64 = 20.0;
 
 /// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
-/// they are known to be drawn, and vectors as they were handed in. Each fault is circled where the student has it,
-/// numbered and named below, with a legend. `None` where there is no polygon.
+/// they are known to be drawn, and vectors as they were handed in. Before them the skeleton with the places that he has
+/// otherwise, behind them the force polygons of the bodies of which he has a force otherwise. Each fault is circled where
+/// the student has it, numbered and named below, with a legend. `None` where nothing is drawn.
 #[must_use]
 pub fn overlay(
     scene: &Scene,
     right: &Construction,
-    student: &Construction,
-    handed_in: &[HandedIn],
+    (student, own): (&Construction, &Own),
+    balance: Option<&ForceSheet>,
     faults: &[Fault<'_>],
 ) -> Option<Figure> {
     let words = Language::English.words();
     let notation = Notation::new(scene, words);
     let right = told_apart(right, &notation);
+    let several = faults.len() > 1;
     let mut blocks: Vec<(Group, f64, f64)> = Vec::new();
+    let told = |fits: &dyn Fn(Spot) -> bool| -> Vec<(usize, &Fault<'_>)> {
+        (1..).zip(faults).filter(|(_, fault)| fits(fault.at)).collect()
+    };
+    let on_skeleton = told(&|spot| matches!(spot, Spot::In(DiagramKind::Skeleton, _)));
+    if !own.places.is_empty() || !on_skeleton.is_empty() {
+        let mut panel = skeleton::draw(&right, &notation);
+        let ink = panel.bounds().unwrap_or(Rect::ZERO);
+        draw_places(&mut panel, &own.places, ink, &notation);
+        for (number, fault) in &on_skeleton {
+            if let Spot::In(_, at) = fault.at {
+                circle(&mut panel, within(page(at), ink), several.then_some(*number));
+            }
+        }
+        blocks.push(captioned(panel, &on_skeleton, several));
+    }
     for polygon in &right.diagrams {
-        let own = student.diagram(polygon.kind);
+        let drawn = student.diagram(polygon.kind);
         let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
         let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
-            own.map_or_else(Vec::new, |own| differing(polygon, own));
+            drawn.map_or_else(Vec::new, |drawn| differing(polygon, drawn));
         let extent = polygon.images.iter().map(|image| libm::hypot(image.at[0], image.at[1]));
         let extent = extent.fold(LEAST_REACH, f64::max);
         let reach = FARTHEST * extent;
-        for vector in handed_in.iter().filter(|vector| vector.diagram == polygon.kind) {
+        for vector in own.vectors.iter().filter(|vector| vector.diagram == polygon.kind) {
             let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
             if !arrows.iter().any(|(from, to, ..)| near(*from, vector.from) && near(*to, vector.to)) {
                 arrows.push((vector.from, vector.to, vector.head, true));
             }
         }
-        let here: Vec<(usize, &Fault<'_>)> =
-            (1..).zip(faults).filter(|(_, fault)| fault.diagram == polygon.kind).collect();
+        let here = told(&|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
         // What stands metres away would leave nothing else to be seen.
         arrows.retain(|(from, to, ..)| [from, to].into_iter().all(|at| libm::hypot(at[0], at[1]) <= reach));
         draw_arrows(&mut panel, &arrows, polygon.kind, &notation);
         for (number, fault) in &here {
-            let far = libm::hypot(fault.at[0], fault.at[1]);
-            let centre = page(if far > reach { fault.at.map(|mm| mm * extent / far) } else { fault.at });
-            let circle = Shape::Circle { centre, radius: CIRCLE };
-            panel.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
-            if faults.len() > 1 {
-                name(&mut panel, &Rich::bold(number.to_string()), centre, CIRCLE, "fault-number");
-            }
+            let Spot::In(_, at) = fault.at else { continue };
+            let far = libm::hypot(at[0], at[1]);
+            let centre = page(if far > reach { at.map(|mm| mm * extent / far) } else { at });
+            circle(&mut panel, centre, several.then_some(*number));
         }
-        let ink = panel.bounds().unwrap_or(Rect::ZERO);
-        panel.translate(Vec2::new(-ink.x0, -ink.y0));
-        let mut block = Group::new("block");
-        block.group(panel);
-        let (width, mut y) = (ink.width(), ink.height() + BLANK);
-        let mut widest = width;
-        for (number, fault) in here {
-            let text =
-                if faults.len() > 1 { format!("{number}. {}", fault.text) } else { fault.text.to_owned() };
-            for line in Rich::upright(text).wrap(SMALL, width.max(NARROWEST)) {
-                widest = widest.max(line.width(SMALL));
-                line.set(SMALL).put(&mut block, Point::new(0.0, y), "caption");
-                y += LINE;
-            }
-            y += BLANK - LINE;
+        blocks.push(captioned(panel, &here, several));
+    }
+    for (index, body) in balance.iter().flat_map(|balance| balance.bodies.iter().enumerate()) {
+        let of = |force: usize| own.forces.get(force).is_some_and(|force| force.body == index);
+        if (0..own.forces.len()).any(of) {
+            let here = told(&|spot| matches!(spot, Spot::Force(force) if of(force)));
+            let numbered = |(number, fault): &(usize, &Fault<'_>)| (fault.at, several.then_some(*number));
+            let numbered: Vec<(Spot, Option<usize>)> = here.iter().map(numbered).collect();
+            let panel = force_polygon(body, (index, &own.forces), &numbered, &notation);
+            blocks.push(captioned(panel, &here, several));
         }
-        blocks.push((block, widest, y));
     }
     let (mut root, y) = arranged(blocks);
     if y > 0.0 {
@@ -129,6 +172,100 @@ pub fn overlay(
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
     let texts: Vec<&str> = faults.iter().map(|fault| fault.text).collect();
     (y > 0.0).then(|| localised(cut(root, format!("{title}: overlay"), texts.join("; "), words), scene))
+}
+
+/// A panel with what is said of its faults below it, how wide and how high it is.
+fn captioned(mut panel: Group, faults: &[(usize, &Fault<'_>)], several: bool) -> (Group, f64, f64) {
+    let ink = panel.bounds().unwrap_or(Rect::ZERO);
+    panel.translate(Vec2::new(-ink.x0, -ink.y0));
+    let mut block = Group::new("block");
+    block.group(panel);
+    let (width, mut y) = (ink.width(), ink.height() + BLANK);
+    let mut widest = width;
+    for (number, fault) in faults {
+        let text = if several { format!("{number}. {}", fault.text) } else { fault.text.to_owned() };
+        for line in Rich::upright(text).wrap(SMALL, width.max(NARROWEST)) {
+            widest = widest.max(line.width(SMALL));
+            line.set(SMALL).put(&mut block, Point::new(0.0, y), "caption");
+            y += LINE;
+        }
+        y += BLANK - LINE;
+    }
+    (block, widest, y)
+}
+
+/// The circle about a fault, with its number where there are several.
+fn circle(panel: &mut Group, centre: Point, number: Option<usize>) {
+    let circle = Shape::Circle { centre, radius: CIRCLE };
+    panel.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
+    if let Some(number) = number {
+        name(panel, &Rich::bold(number.to_string()), centre, CIRCLE, "fault-number");
+    }
+}
+
+/// A place as far from the skeleton as it may stand on the sheet: what lies farther is drawn on its way there.
+fn within(at: Point, skeleton: Rect) -> Point {
+    let (middle, room) = (skeleton.center(), skeleton.inflate(skeleton.width(), skeleton.height()));
+    let way = at - middle;
+    let over = (way.x.abs() / (room.width() / 2.0)).max(way.y.abs() / (room.height() / 2.0));
+    if over > 1.0 { middle + way * (1.0 / over) } else { at }
+}
+
+/// The right places as dots, the student's as open circles; a dashed line from one to the other.
+fn draw_places(panel: &mut Group, places: &[(Quantity, Mm2, Mm2)], skeleton: Rect, notation: &Notation<'_>) {
+    for &(quantity, own, right) in places {
+        let [own, right] = [own, right].map(|at| within(page(at), skeleton));
+        let dashed = Pen { width: FINE, dash: Dash::Dashed };
+        panel.mark(Mark::stroke(Shape::Line(right, own), dashed).class("student"));
+        let open = Shape::Circle { centre: own, radius: DOT };
+        panel.mark(Mark::stroke(open, Pen::solid(THIN)).class("student"));
+        panel.mark(Mark::area(Shape::Circle { centre: right, radius: DOT / 2.0 }, Tone::Ink));
+        let letter = notation.symbol(quantity, false);
+        name(panel, &letter, right, DOT, "label");
+        name(panel, &letter.up("*"), own, DOT, "label student-name");
+    }
+}
+
+/// The forces on a body one after the other, as they close, and the student's from where the right ones begin.
+fn force_polygon(
+    body: &FreeBody,
+    (index, own): (usize, &[OwnForce]),
+    faults: &[(Spot, Option<usize>)],
+    notation: &Notation<'_>,
+) -> Group {
+    let mut panel = Group::new("force-polygon");
+    let long = |force: [f64; 2]| libm::hypot(force[0], force[1]);
+    let largest = body.acting.iter().map(|acting| long(acting.force)).fold(0.0, f64::max);
+    let scale = if largest > 0.0 { LARGEST_FORCE / largest } else { 1.0 };
+    let arrow = |panel: &mut Group, from: Point, to: Point, letter: &Rich, dash: Dash, class| {
+        let way = to - from;
+        if way.hypot() > 0.0 {
+            panel.mark(Mark::stroke(Shape::Line(from, to), Pen { width: THIN, dash }).class(class));
+            panel.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
+            name(panel, letter, from.midpoint(to), 0.0, "label");
+        }
+    };
+    let mut from = Mm2::default();
+    let mut circles: Vec<(Point, Option<usize>)> = Vec::new();
+    for acting in body.acting.iter().filter(|acting| long(acting.force) > 0.0) {
+        let to = [0, 1].map(|axis| from[axis] + scale * acting.force[axis]);
+        let letter = force_names::acting(notation, acting.action);
+        arrow(&mut panel, page(from), page(to), &letter, Dash::Solid, "force");
+        let of = |own: &OwnForce| (own.body, own.action) == (index, acting.action);
+        for (place, &OwnForce { force, .. }) in own.iter().enumerate().filter(|(_, own)| of(own)) {
+            // What would leave the sheet is drawn as far as it goes.
+            let short = (FARTHEST * LARGEST_FORCE / (scale * long(force))).min(1.0);
+            let end = page([0, 1].map(|axis| from[axis] + short * scale * force[axis]));
+            arrow(&mut panel, page(from), end, &letter.clone().up("*"), Dash::Dashed, "student");
+            let here = faults.iter().filter(|(spot, _)| *spot == Spot::Force(place));
+            circles.extend(here.map(|(_, number)| (end, *number)));
+        }
+        from = to;
+    }
+    for (at, number) in circles {
+        circle(&mut panel, at, number);
+    }
+    panel
 }
 
 /// Blocks side by side or one below the other, whichever fills a page better, and how high they are together.
@@ -201,6 +338,10 @@ fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static 
     panel.walk(&mut |node| match node {
         Node::Text(text) => taken.extend(text.bounds()),
         Node::Mark(Mark { shape: Shape::Line(from, to), .. }) => lines.push((*from, *to)),
+        // Joints and centres; the circle about a fault is wider.
+        Node::Mark(Mark { shape: Shape::Circle { centre, radius }, .. }) if *radius < CIRCLE => {
+            taken.push(Rect::from_center_size(*centre, (2.0 * radius, 2.0 * radius)));
+        }
         _ => {}
     });
     let line = text.set(SMALL);

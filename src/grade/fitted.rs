@@ -1,0 +1,226 @@
+//! What of the skeleton was laid off otherwise, where no number of it was handed in: a pivot, a length or the angle of the
+//! input, at the value that brings all answers together.
+
+use std::f64::consts::PI;
+
+use super::answers::Given;
+use super::case::{Case, size};
+use super::change::{Change, InputChange};
+use super::kind::Kind;
+use super::mistakes::Hypothesis;
+use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
+
+/// A value that is found, not one of those that are usual: it must explain so many wrong answers at least.
+const LEAST: usize = 3;
+/// What a found number costs.
+const FOUND: f64 = 3.0;
+/// So often the value is mended.
+const ROUNDS: usize = 5;
+/// After so many times it is seen whether that leads anywhere.
+const SOON: usize = 2;
+/// By this part of its whole a value is moved to see what that does.
+const NUDGE: f64 = 1e-4;
+/// No more than this part of the whole is laid off otherwise by mistake.
+const MOST: f64 = 0.4;
+/// Nine of ten answers come this near, in tolerances.
+const NEAR: f64 = 1.25;
+
+/// What may have been laid off otherwise.
+#[derive(Clone, Copy)]
+enum Laid {
+    /// A fixed point; both coordinates.
+    Pivot(PointId),
+    /// The length between two joints of a link, by their places in it.
+    Length(LinkId, [usize; 2]),
+    /// The angle of an input.
+    Angle(usize),
+}
+
+impl Laid {
+    /// All of a mechanism.
+    fn all(mechanism: &Mechanism) -> Vec<Self> {
+        let fixed = (0..mechanism.points.len()).map(PointId).filter(|point| mechanism.is_fixed(*point));
+        let mut all: Vec<Self> = fixed.map(Self::Pivot).collect();
+        // The drawing begins at the first: all others may stand elsewhere about it.
+        if all.len() > 1 {
+            all.remove(0);
+        }
+        let ends = [[0, 1], [1, 2], [0, 2]];
+        all.extend(mechanism.moving().flat_map(|link| ends.map(|ends| Self::Length(link, ends))));
+        let angles = mechanism.inputs.iter().enumerate();
+        all.extend(angles.filter_map(|(index, input)| match input {
+            Input::Angle { angle: Some(_), .. } | Input::Speed { angle: Some(_), .. } => {
+                Some(Self::Angle(index))
+            }
+            _ => None,
+        }));
+        all.retain(|laid| laid.change([0.1, 0.1]).mechanism(mechanism).as_ref() != mechanism);
+        all
+    }
+
+    /// How many numbers it is.
+    fn numbers(self) -> usize {
+        if let Self::Pivot(_) = self { 2 } else { 1 }
+    }
+
+    /// The change by so many metres, parts of the length, or radians.
+    fn change(self, by: [f64; 2]) -> Change {
+        Change::of_inputs(match self {
+            Self::Pivot(point) => InputChange::Pivot { point, by },
+            Self::Length(link, ends) => InputChange::Length { link, ends, factor: 1.0 + by[0] },
+            Self::Angle(input) => InputChange::Angle { input, by: by[0] },
+        })
+    }
+}
+
+/// Everything that may have been laid off otherwise, as all answers together tell it; `open` are those that are wrong and
+/// not explained.
+pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<Hypothesis> {
+    let handed_in = open.iter().filter(|index| !case.hands_in_nothing(**index)).count();
+    // Each value would lead a whole turning-moment diagram through its period.
+    if handed_in < LEAST || case.cycle.is_some() {
+        return Vec::new();
+    }
+    let fit = Fit { case, drawn, open, long: longest(case) };
+    Laid::all(&case.mechanism).into_iter().filter_map(|laid| fit.found(laid)).collect()
+}
+
+/// The greatest distance of two joints of a link, metres.
+fn longest(case: &Case<'_>) -> f64 {
+    let space = &case.right.construction.space;
+    let place = |point: &PointId| space.places.get(point.0).copied().flatten();
+    let mut longest: f64 = 0.0;
+    for link in case.mechanism.moving() {
+        let places: Vec<[f64; 2]> = case.mechanism.link(link).points.iter().filter_map(place).collect();
+        for a in &places {
+            longest = places.iter().map(|b| libm::hypot(a[0] - b[0], a[1] - b[1])).fold(longest, f64::max);
+        }
+    }
+    longest * space.metres_per_mm
+}
+
+struct Fit<'f, 's> {
+    case: &'f Case<'s>,
+    drawn: &'f Change,
+    open: &'f [usize],
+    long: f64,
+}
+
+impl Fit<'_, '_> {
+    /// The least squares of what the answers miss, by Gauss and Newton.
+    fn found(&self, laid: Laid) -> Option<Hypothesis> {
+        let whole = if let Laid::Pivot(_) = laid { self.long } else { 1.0 };
+        let at = |by: [f64; 2]| self.misses(&self.drawn.and(&laid.change(by)));
+        let mut by = [0.0; 2];
+        let mut misses = at(by)?;
+        let start = size(&misses);
+        for round in 0..ROUNDS {
+            // What does not bring the answers together soon is not what was laid off otherwise.
+            if round == SOON && size(&misses) > 0.5 * start {
+                return None;
+            }
+            let mut slopes = Vec::new();
+            for axis in 0..laid.numbers() {
+                let mut nudged = by;
+                nudged[axis] += NUDGE * whole;
+                let moved = at(nudged)?;
+                let slope: Vec<f64> =
+                    moved.iter().zip(&misses).map(|(a, b)| (a - b) / (NUDGE * whole)).collect();
+                slopes.push(slope);
+            }
+            let step = least_squares(&slopes, &misses)?;
+            by = [0, 1].map(|axis| by[axis] + step[axis].clamp(-0.2 * whole, 0.2 * whole));
+            if size(&by) > MOST * whole {
+                return None;
+            }
+            misses = at(by)?;
+        }
+        let change = laid.change(by);
+        self.explains(&self.drawn.and(&change)).then(|| {
+            let (kind, at, how) = self.told(laid, by);
+            let price = FOUND * laid.numbers() as f64;
+            Hypothesis { kind, at, step: None, price, change, how: Some(how) }
+        })
+    }
+
+    /// By how much every answer is missed, in tolerances, with its sign.
+    fn misses(&self, change: &Change) -> Option<Vec<f64>> {
+        let sketch = self.case.drawn(change, None)?;
+        let seen = self.case.seen(&sketch, change);
+        let mut misses = Vec::new();
+        for (index, observation) in self.case.observations.iter().enumerate() {
+            let Some(seen) = seen[index].as_deref() else { continue };
+            let by = self.case.rooms[index].by;
+            match (observation.given, seen) {
+                (Given::Magnitude(given) | Given::Drawn(given), _) => misses.push((size(seen) - given) / by),
+                (Given::Signed(given), &[value]) => misses.push((value - given) / by),
+                (Given::Vector(given), &[x, y]) => misses.extend([(x - given[0]) / by, (y - given[1]) / by]),
+                _ => {}
+            }
+        }
+        misses.iter().all(|miss| miss.is_finite()).then_some(misses)
+    }
+
+    /// Whether nine of ten answers that are open are met.
+    fn explains(&self, change: &Change) -> bool {
+        let Some(sketch) = self.case.drawn(change, None) else { return false };
+        let seen = self.case.seen(&sketch, change);
+        let met = self.open.iter().filter(|index| {
+            let [now, right] =
+                [&seen[**index], &self.case.truth[**index]].map(|n| n.as_deref().map_or(0.0, size));
+            let larger = if right > 0.0 { (now / right).max(1.0) } else { 1.0 };
+            let room = self.case.rooms[**index].times(larger);
+            self.case.miss(**index, seen[**index].as_deref(), room) <= NEAR
+        });
+        10 * met.count() >= 9 * self.open.len()
+    }
+
+    fn told(&self, laid: Laid, by: [f64; 2]) -> (Kind, String, String) {
+        let mechanism = &self.case.mechanism;
+        let unit = &self.case.scene.units.length;
+        let number = |metres: f64| super::text::digits(metres / unit.si, self.long / unit.si / 300.0);
+        let name = |point: PointId| mechanism.point(point).name.clone();
+        match laid {
+            Laid::Pivot(point) => {
+                let right = match mechanism.point(point).place {
+                    Place::Fixed(at) => [0, 1].map(|axis| at[axis].value),
+                    _ => [0.0; 2],
+                };
+                let place = |at: [f64; 2]| format!("({}, {})", number(at[0]), number(at[1]));
+                let own = [right[0] + by[0], right[1] + by[1]];
+                let how = format!("about {} for {} {}", place(own), place(right), unit.symbol);
+                (Kind::PivotMisplaced, name(point), how)
+            }
+            Laid::Length(link, ends) => {
+                let [a, b] = ends.map(|end| mechanism.link(link).points[end]);
+                let how = format!(
+                    "about {} % too {}",
+                    (100.0 * by[0].abs()).round(),
+                    if by[0] > 0.0 { "long" } else { "short" }
+                );
+                (Kind::LengthLaidOff, format!("the length {}{}", name(a), name(b)), how)
+            }
+            Laid::Angle(_) => {
+                let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };
+                let how = format!("about {:.0}° too far {sense}", 180.0 / PI * by[0].abs());
+                (Kind::InputAngle, "the input".to_owned(), how)
+            }
+        }
+    }
+}
+
+/// The step against all misses, by what each number does to them; `None` where that is nothing.
+fn least_squares(slopes: &[Vec<f64>], misses: &[f64]) -> Option<[f64; 2]> {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let step = match slopes {
+        [one] => [-dot(one, misses) / dot(one, one), 0.0],
+        [one, two] => {
+            let [aa, ab, bb] = [dot(one, one), dot(one, two), dot(two, two)];
+            let [a, b] = [dot(one, misses), dot(two, misses)];
+            let whole = aa * bb - ab * ab;
+            [(ab * b - bb * a) / whole, (ab * a - aa * b) / whole]
+        }
+        _ => return None,
+    };
+    step.iter().all(|part| part.is_finite()).then_some(step)
+}
