@@ -416,7 +416,7 @@ impl Shown<'_> {
         let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
         // A construction that outgrows the sheet is drawn once more to a scale of its own.
         let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
-        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
+        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(scene, construction, drawing));
         let again = smaller.zip(kind).map(|(length, kind)| -> Result<Solved, NoFigure> {
             let choose = |scene: &Scene, extents| {
                 sheet::scale::for_scene(scene, extents).with(Dimension::Length, length)

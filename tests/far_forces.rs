@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test")]
 
 use linkgram::drawing::{self, Kind, Wish};
+use linkgram::render::{Format, Options};
 use linkgram::sheet::figure::{Figure, Group, Node};
 
 fn sheet(text: &str) -> Figure {
@@ -32,7 +33,7 @@ fn told(figure: &Figure) -> String {
 
 /// The widths and heights of the groups of these classes.
 fn sizes(group: &Group, classes: &[&str], all: &mut Vec<[f64; 2]>) {
-    if classes.contains(&group.class) {
+    if classes.contains(&group.class.as_str()) {
         all.extend(group.bounds().map(|bounds| [bounds.width(), bounds.height()]));
     }
     for child in &group.children {
@@ -83,7 +84,7 @@ fn a_couple_is_told_as_one() {
     let mut all = Vec::new();
     sizes(&figure.root, &["free-body", "forces"], &mut all);
     assert!(all.iter().flatten().all(|size| size.is_finite() && *size < 230.0), "{all:?}");
-    drawing::export(&figure, drawing::Format::Png).unwrap();
+    linkgram::render::render(&figure, Format::Png, &Options::default()).unwrap();
 }
 
 /// Springs that push, or that turn their second link clockwise: a size in the sense in which it acts, never a size below zero

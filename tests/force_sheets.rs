@@ -128,6 +128,9 @@ fn friction_is_told_before_the_force_that_it_turns() {
     assert!(told("Friction at B") < told("Forces on link 4"));
     assert!(told("Friction at A") < told("Forces on link 3"));
     assert!(!text.contains("Passes"), "{text}");
+    // The pin and the guide of B are two.
+    assert!(told("Friction in the horizontal guide of B") < told("Forces on link 4"));
+    assert_eq!(text.matches("Friction at B").count(), text.matches("Friction at A").count(), "{text}");
     // r sin arctan f, of three pins.
     for radius in [12.0, 18.0, 20.0] {
         let circle = radius * libm::sin(libm::atan(0.08));
@@ -276,4 +279,33 @@ fn a_small_side_of_a_force_polygon_has_a_detail() {
     let figure = sheet(scene, Kind::Solution);
     assert!(count(&figure, "detail") >= 1);
     assert!(text_of(&figure).contains("Detail, "), "{}", text_of(&figure));
+}
+
+/// A polygon of forces fills its place, by a scale of its own: 85 mm at the next finer of 1, 2, 2.5, 5, or hardly less.
+#[test]
+fn a_force_polygon_fills_its_place() {
+    let engine = linkgram::catalogue::KINDS.iter().find(|kind| kind.name == "engine").unwrap();
+    let scenes = [
+        file("examples/forces/gas-engine.json"),
+        engine.scene.to_owned(),
+        file("examples/forces/s000-ch5-16.json"),
+    ];
+    let mut polygons = 0;
+    for scene in &scenes {
+        let figure = sheet(scene, Kind::Solution);
+        for group in crate::legibility::within(&figure.root) {
+            if !crate::legibility::has(group, "force") || !crate::legibility::has(group, "polygon") {
+                continue;
+            }
+            polygons += 1;
+            let vectors = group.children.iter().filter_map(|node| match node {
+                Node::Group(own) if crate::legibility::has(own, "vector") => own.bounds(),
+                _ => None,
+            });
+            let size = vectors.reduce(|all, own| all.union(own)).unwrap();
+            let size = size.width().max(size.height());
+            assert!(size >= 85.0 / 2.5 / 1.3, "{size} mm: {scene}");
+        }
+    }
+    assert!(polygons >= 8, "{polygons}");
 }

@@ -505,3 +505,121 @@ fn friction_takes_work() {
     let told = answers(&scene(r#""f": 0.1"#));
     assert!((told["E"] - work).abs() < 1e-5, "{} is not {work}", told["E"]);
 }
+
+/// What a sheet says of a diagram: each number at the left of a sign of equality with all that stands right of it.
+fn lines_of(scene: &Scene) -> Vec<String> {
+    let figure = figure(scene, &Wish::default()).unwrap_or_else(|error| panic!("{}", error.told(scene)));
+    let lines = crate::legibility::sentences(&figure);
+    lines.into_iter().map(|line| line.replace('\u{a0}', " ").trim_start_matches("– ").to_owned()).collect()
+}
+
+/// The line that gives a number, what it comes to, and half a unit of its last place.
+fn source<'a>(lines: &'a [String], of: &str) -> (&'a str, f64, f64) {
+    let begins = format!("{of} =");
+    let line = lines
+        .iter()
+        .find(|line| line.contains(&begins))
+        .unwrap_or_else(|| panic!("no line of {of}: {lines:#?}"));
+    let from = line.find(&begins).unwrap() + begins.len();
+    let own = line[from..].split([',', ';']).next().unwrap().trim_end_matches('.');
+    let (value, half, _) =
+        crate::legibility::number(own.rsplit('=').next().unwrap()).unwrap_or_else(|| panic!("{line}"));
+    (line, value, half)
+}
+
+/// Every number of a diagram has a line that gives it: by trapezia, by an integral, or measured, and then from the lines before.
+#[test]
+fn every_number_of_a_diagram_has_its_line() {
+    let harmonics = r#""torque": { "harmonics": { "constant": 2500, "sin": [[2, 675]] } },
+        "load": { "harmonics": { "constant": 2500, "sin": [[1, 270]] } }"#;
+    let cylinders = r#""torque": { "table": [[0, 0], [60, 800], [180, 0], [360, 0]] }, "copies": { "number": 3, "shift": 120 }"#;
+    let waves = r#""torque": { "harmonics": { "constant": 100, "sin": [[1, 90], [3, 60]] } }, "copies": { "number": 3, "shift": 120 }"#;
+    let tables = r#""torque": { "table": [[0, 0], [90, 400], [180, 0], [360, 0]] },
+        "load": { "table": [[0, 0], [180, 0], [180, 400], [360, 0]] }"#;
+    let leap = r#""torque": { "table": [[0, 300], [90, 300], [90, 0], [360, 0]] }"#;
+    let mixed = r#""torque": { "harmonics": { "constant": 50, "sin": [[1, 30]] } },
+        "load": { "table": [[0, 50], [180, 50], [180, 60], [270, 60], [270, 40], [360, 40]] }"#;
+    let turns = r#""rotating": [ { "mass": 5, "gyration": "30 cm" }, { "mass": 20, "gyration": "30 cm", "ratio": 0.5 } ]"#;
+    // Closed forms: E of a period, the first area, the greatest difference of the torques.
+    let steepest = libm::acos((270.0 + libm::sqrt(270.0 * 270.0 + 8.0 * 1350.0 * 1350.0)) / (4.0 * 1350.0));
+    let second = libm::acos((270.0 - libm::sqrt(270.0 * 270.0 + 8.0 * 1350.0 * 1350.0)) / (4.0 * 1350.0));
+    let net = |at: f64| 675.0 * libm::sin(2.0 * at) - 270.0 * libm::sin(at);
+    let most = [steepest, -steepest, second, -second].map(net).into_iter().fold(0.0, f64::max);
+    let equal = libm::acos(270.0 / (2.0 * 675.0));
+    let integral = |at: f64| 270.0 * libm::cos(at) - 337.5 * libm::cos(2.0 * at);
+    // 30 sin θ − 10 from 180° to 270°, then 30 sin θ + 10 to where it is zero.
+    let third = libm::asin(1.0 / 3.0);
+    let below = -30.0 - 5.0 * PI - 30.0 * libm::cos(third) + 10.0 * (PI / 2.0 - third);
+    // Of three cylinders the third harmonic alone is left: 300 + 180 sin 3θ.
+    for (cycle, work, first, difference) in [
+        (harmonics, 2500.0 * TAU, integral(equal) - integral(0.0), most),
+        (cylinders, 1200.0 * PI, 0.5 * 200.0 * PI / 3.0, 200.0),
+        (waves, 300.0 * TAU, 180.0 * 2.0 / 3.0, 180.0),
+        (tables, 200.0 * PI, 200.0 * PI, 400.0),
+        (leap, 150.0 * PI, 225.0 * PI / 2.0, 225.0),
+        (mixed, 50.0 * TAU, below, 30.0),
+    ] {
+        let scene = diagram(
+            &format!("{cycle}, {turns}"),
+            r#""E", "Ef", "Ke", "Ks", "I", "area(1)", "alpha(max)", "angle(alpha_max)""#,
+        );
+        let lines = lines_of(&scene);
+        let near = |of: &str, value: f64| {
+            let (line, told, half) = source(&lines, of);
+            assert!((told - value).abs() <= half.max(1e-3 * value.abs()), "{line}: not {value}");
+        };
+        near("E", work);
+        near("A_1", first);
+        near("I", 0.9);
+        near("α_max", difference / 0.9);
+        source(&lines, "θ(α_max)");
+        let count = lines.iter().filter(|line| line.starts_with("A_")).count();
+        assert!(count >= 2, "{lines:#?}");
+        for k in 1..=count {
+            for of in [format!("A_{k}"), format!("E_{k}"), format!("θ_{k}")] {
+                source(&lines, &of);
+            }
+            let (line, told, half) = source(&lines, &format!("A_{k}"));
+            let arithmetic = line.split('=').rev().nth(1).unwrap();
+            let reckoned = crate::legibility::reckoned(&arithmetic.replace("cm²", "").replace("mm²", ""))
+                .unwrap_or_else(|| panic!("{line}"));
+            assert!((reckoned - told).abs() <= half * (1.0 + 1e-6), "{line}");
+        }
+        // One unit for an energy, in lines, table and scale.
+        let figure = figure(&scene, &Wish::default()).unwrap();
+        let mut tables = String::new();
+        figure.root.walk(&mut |node| {
+            if let linkgram::sheet::figure::Node::Text(text) = node {
+                tables += &(text.content().replace('\u{a0}', " ") + "\n");
+            }
+        });
+        let cells = tables.lines().filter(|line| line.ends_with("N·m") && line.split(' ').count() == 2);
+        assert_eq!(cells.count(), 0, "{tables}");
+        assert!(tables.contains("J ≡ 1 cm"), "{tables}");
+    }
+}
+
+/// A torque that runs down with the angle of a clockwise input, and one of a mechanism, have lines as well.
+#[test]
+fn a_mechanism_s_own_diagram_is_measured() {
+    let scene = read(
+        r#"{ "fixed": { "O": [0, 0] },
+            "links": { "2": { "joins": ["O", "A"], "length": 0.05 }, "3": { "joins": ["A", "B"], "length": 0.2 } },
+            "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O" } }],
+            "near": { "B": [0.24, 0] }, "input": { "link": 2, "angle": 30, "omega": "30 rad/s cw" },
+            "loads": [{ "on": 4, "force": 400, "direction": "against" }],
+            "cycle": { "load": { "of": 2 }, "rotating": [ { "inertia": 2 } ] }, "find": ["E", "Ef", "Ks", "alpha(max)"] }"#,
+    );
+    let lines = lines_of(&scene);
+    let (line, work, _) = source(&lines, "E");
+    // 400 N over twice the stroke of 0.1 m.
+    assert!(line.contains("cm²") && (work - 80.0).abs() < 0.2, "{line}");
+    let (line, area, half) = source(&lines, "A_1");
+    let arithmetic = line.split('=').rev().nth(1).unwrap().replace("cm²", "").replace("mm²", "");
+    assert!(
+        (crate::legibility::reckoned(&arithmetic).unwrap() - area).abs() <= half * (1.0 + 1e-6),
+        "{line}"
+    );
+    source(&lines, "E_2");
+    source(&lines, "α_max");
+}

@@ -334,7 +334,7 @@ fn without_units(text: &str) -> String {
 
 /// The value of `2 × 3.1² / 4` or `(400 × 61.3 − 40 × 20.1) / 125`, numbers only; `None` of anything else, and of a single
 /// number.
-fn reckoned(text: &str) -> Option<f64> {
+pub(crate) fn reckoned(text: &str) -> Option<f64> {
     let text = without_units(text).replace("2π", "6.283185307179586").replace('π', "3.141592653589793");
     let mut reading = Reckoning { rest: &text, operations: 0 };
     let value = reading.sum()?;

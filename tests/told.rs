@@ -337,3 +337,81 @@ fn a_weight_in_pounds_is_divided_by_g() {
     assert!(lines.contains("W_4 / g"), "{lines}");
     assert!(!lines.contains(" lb\n"), "{lines}");
 }
+
+/// A prime at an image is that of an acceleration: no point of a scene is called by one, and every contact has its letter.
+#[test]
+fn no_contact_is_called_by_a_prime() {
+    let scene = common::example("forces/planetary-gear");
+    let names: Vec<&str> = scene.mechanism.points.iter().map(|point| point.name.as_str()).collect();
+    assert!(names.contains(&"P") && names.contains(&"Q"), "{names:?}");
+    // A point P2 has the image p2, which is that of a contact P of link 2 as well.
+    let wheel = |name: &str| {
+        format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O3": [3, 0] }}, "links": {{ "2": {{ "joins": ["O2", "{name}"], "length": 1 }},
+                "3": {{ "joins": ["O3"] }} }}, "rolls": [ {{ "links": [2, 3], "centres": ["O2", "O3"], "radii": [1, 2] }} ],
+                "input": {{ "link": 2, "angle": 30, "omega": 2 }}, "find": ["omega(3)"] }}"#
+        )
+    };
+    for (name, contact) in [("A", "P"), ("P2", "Q"), ("p", "Q")] {
+        let scene = common::read(&wheel(name));
+        let contact_of = scene.mechanism.contacts[0];
+        assert_eq!(scene.mechanism.points[contact_of.0].name, contact);
+        assert!(scene.mechanism.points.iter().all(|point| !point.name.contains('′')));
+    }
+}
+
+/// A line that tells a number in a second unit divides the number that stands there: 488 in/s² are 40.7 ft/s².
+#[test]
+fn a_second_unit_is_that_of_the_printed_number() {
+    let mut lines = 0;
+    for name in ["errata/s002-3", "errata/s002-4"] {
+        let scene = common::example(name);
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+        for line in sentences(&figure) {
+            let parts: Vec<&str> = line.split('=').map(str::trim).collect();
+            for pair in parts.windows(2) {
+                let (Some((inches, ..)), Some((feet, half, _))) = (number(pair[0]), number(pair[1])) else {
+                    continue;
+                };
+                if !pair[0].contains("in/s") || !pair[1].contains("ft/s") {
+                    continue;
+                }
+                lines += 1;
+                assert!((inches / 12.0 - feet).abs() <= half * (1.0 + 1e-9), "{name}: {line}");
+            }
+        }
+    }
+    assert!(lines > 5, "{lines}");
+}
+
+/// A crank that is stated at 200° is laid off at 200°.
+#[test]
+fn a_stated_angle_is_laid_off_as_it_is_stated() {
+    let scene = common::read(
+        r#"{ "fixed": { "O2": [0, 0], "O4": [4, 0] }, "links": { "2": { "joins": ["O2", "A"], "length": 1 },
+            "3": { "joins": ["A", "B"], "length": 4 }, "4": { "joins": ["O4", "B"], "length": 3 } },
+            "near": { "B": [2, 2] }, "input": { "link": 2, "angle": 200, "omega": 2 }, "find": ["omega(3)"] }"#,
+    );
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+    let lines = sentences(&figure);
+    assert!(lines.iter().any(|line| line.contains("at 200°")), "{lines:#?}");
+    assert!(lines.iter().all(|line| !line.contains("160°")), "{lines:#?}");
+}
+
+/// A construction on the skeleton takes what the paper has: at half the scale nothing of this one is told apart.
+#[test]
+fn an_inflection_circle_fills_the_paper() {
+    let scene = common::example("constructions/inflection");
+    let wish = linkgram::drawing::Wish { figures: vec!["inflection(3)".to_owned()], ..Default::default() };
+    let figure =
+        linkgram::drawing::figure(&scene, &wish).unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+    let mut captions = Vec::new();
+    figure.root.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            captions.push(text.content().replace('\u{a0}', " "));
+        }
+    });
+    assert!(captions.iter().any(|text| text.contains("1 : 2.5")), "{captions:?}");
+}

@@ -174,6 +174,26 @@ impl CycleQuantity {
             Self::OfSpeed | Self::Flywheel => {
                 &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Inertia]
             }
+            Self::Most => &[
+                Self::AtMost,
+                Self::Mean,
+                Self::Work,
+                Self::Inertia,
+                Self::Flywheel,
+                Self::Fluctuation,
+                Self::Highest,
+                Self::Lowest,
+            ],
+            Self::Least => &[
+                Self::AtLeast,
+                Self::Mean,
+                Self::Work,
+                Self::Inertia,
+                Self::Flywheel,
+                Self::Fluctuation,
+                Self::Highest,
+                Self::Lowest,
+            ],
             _ => &[],
         }
     }
@@ -182,6 +202,12 @@ impl CycleQuantity {
     #[must_use]
     pub fn hangs_on_mean(self) -> bool {
         matches!(self, Self::Mean | Self::Work | Self::Power | Self::OfEnergy)
+    }
+
+    /// Whether it is an energy: a torque's unit is that of a work.
+    #[must_use]
+    pub fn is_energy(self) -> bool {
+        self.measure() == Measure::Torque && self != Self::Mean
     }
 
     /// As a scene names it.

@@ -6,6 +6,7 @@ use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::links::{index_of, own_coordinates};
+use super::rolls::free_letters;
 use super::units::{Measure, short};
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
@@ -45,7 +46,7 @@ pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     for (index, item) in list("springs")?.iter().enumerate() {
         let Ok(fields) = Fields::of(item, keys::SPRING, "a spring") else { continue };
         let Some(Kind::List(ends)) = fields.get("between").map(|ends| &ends.kind) else { continue };
-        for (end, name) in ends.iter().zip(["K", "K′"]) {
+        for (end, name) in ends.iter().zip(["K", "H"]) {
             let Ok(fields) = Fields::of(end, keys::SPRING_END, "an end") else { continue };
             let Some(link) = fields.get("link").and_then(|link| draft.link_at(link).ok()) else { continue };
             spot(fields.get("at"), link, &format!("{name}{}", index + 1), draft)?;
@@ -169,10 +170,10 @@ fn spot(
             draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
         }
     }
-    let mut free = name.to_owned();
-    while draft.point_named(&free, value.at).is_ok() {
-        free.push('′');
-    }
+    let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let letters = &name[..name.len() - number.len()];
+    let taken = |own: &str| draft.point_named(&format!("{own}{number}"), value.at).is_ok();
+    let free = format!("{}{number}", free_letters(letters, taken));
     let point = draft.mention(&free, value.at)?;
     draft.join(link, point);
     if draft.anchors.places.is_empty() {

@@ -61,17 +61,27 @@ pub(super) fn pressures(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()
     Ok(())
 }
 
-/// Names the contact point of each rolling pair P, or P′, P″ … where P is taken. It belongs to no link, so
-/// nothing can be asked of it by mistake.
+/// Names the contact point of each rolling pair P, or the next letter that no point has, in either case: an image is named
+/// by the small one, and with a prime it would be that of an acceleration. It belongs to no link, so nothing can be asked of it
+/// by mistake.
 pub(super) fn name_contacts(mechanism: &mut Mechanism) {
     for _ in 0..mechanism.rolls.len() {
-        let mut name = "P".to_owned();
-        while mechanism.points.iter().any(|p| p.name == name) {
-            name.push('′');
-        }
+        let letters = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_lowercase();
+        let taken =
+            |own: &str| mechanism.points.iter().any(|point| letters(&point.name) == own.to_lowercase());
+        let name = free_letters("P", taken);
         mechanism.contacts.push(PointId(mechanism.points.len()));
         mechanism.points.push(Point { name, place: Place::Unknown, links: Vec::new(), journal: None });
     }
+}
+
+/// Letters that are not taken: those that are wanted, or else the first that are free.
+pub(super) fn free_letters(wanted: &str, taken: impl Fn(&str) -> bool) -> String {
+    /// What no pole, centre of mass, vector or speed is called.
+    const LETTERS: [&str; 12] = ["Q", "R", "S", "U", "H", "J", "K", "M", "N", "X", "Y", "Z"];
+    let mut tried = std::iter::once(wanted.to_owned())
+        .chain((1..).flat_map(|times| LETTERS.iter().map(move |letter| letter.repeat(times))));
+    tried.find(|letters| !taken(letters)).unwrap_or_default()
 }
 
 fn pair<'v, 'a>(value: &'v Value<'a>, expected: &str) -> Res<[&'v Value<'a>; 2]> {

@@ -25,7 +25,7 @@ use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 
 /// The figure grows to this size at most to take a named point in; what lies further out is off the sheet.
-const LARGEST: (f64, f64) = (160.0, 150.0);
+const LARGEST: (f64, f64) = (168.0, 170.0);
 /// Blank kept between a named point and the border.
 const BORDER: f64 = 9.0;
 /// Places closer than this on paper have one label.
@@ -123,6 +123,12 @@ fn window(drawing: &AuxiliaryDrawing, skeleton: Rect) -> Rect {
         {
             let start = Rect::from_center_size(page(*first), (0.0, 0.0));
             grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
+        }
+    }
+    // And the feet to which lines are drawn.
+    for stroke in &drawing.strokes {
+        if let StrokeShape::Line(from, to) = stroke.shape {
+            grow(Rect::from_points(page(from), page(to)).inflate(2.0, 2.0));
         }
     }
     window

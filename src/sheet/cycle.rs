@@ -4,20 +4,20 @@ use std::cell::RefCell;
 
 use kurbo::{Point, Vec2};
 
+use super::cycle_lines::Computed;
 use super::figure::{Dash, Group, Mark, Pen, Shape};
 use super::human;
 use super::ink::{FINE, SMALL, THICK, THIN, arrow, dot};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
-use super::printed::{Figures, Key};
+use super::printed::Figures;
 use super::rich::Rich;
-use super::steps::{Item, in_radians};
+use super::steps::Item;
 use super::words::Words;
 use crate::graphical::cycle::CycleSheet;
-use crate::mechanism::Input;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
-use crate::mechanism::quantity::{Answer, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Order, Quantity, Unit};
 use crate::mechanism::spin::SpinSpeed;
 
 /// Width and height of the plot, mm.
@@ -162,8 +162,11 @@ impl CyclePanel {
     #[must_use]
     pub fn scale(self, sheet: &CycleSheet, notation: &Notation<'_>) -> Rich {
         let unit = &notation.scene.units.torque;
-        let value =
-            human::with_unit(&human::stated(self.per_mm(sheet, notation) * 10.0 / unit.si), &unit.symbol);
+        let symbol = match self {
+            Self::TurningMoment => unit.symbol.clone(),
+            Self::Energy => energy_unit(&unit.symbol),
+        };
+        let value = human::with_unit(&human::stated(self.per_mm(sheet, notation) * 10.0 / unit.si), &symbol);
         let torque = value.up("\u{a0}≡\u{a0}1\u{a0}cm");
         if sheet.curves[0].is_empty() {
             return torque;
@@ -208,7 +211,12 @@ pub(super) fn stated_curves(sheet: &CycleSheet, notation: &Notation<'_>) -> Opti
 #[must_use]
 pub fn paper(sheet: &CycleSheet, notation: &Notation<'_>) -> Option<[f64; 2]> {
     let drawn = !sheet.curves[0].is_empty();
-    drawn.then(|| [CyclePanel::TurningMoment.per_mm(sheet, notation), radians_per_mm(sheet)])
+    drawn.then(|| paper_of(sheet, notation))
+}
+
+/// The same of one that is drawn.
+pub(super) fn paper_of(sheet: &CycleSheet, notation: &Notation<'_>) -> [f64; 2] {
+    [CyclePanel::TurningMoment.per_mm(sheet, notation), radians_per_mm(sheet)]
 }
 
 /// Degrees for a centimetre.
@@ -263,7 +271,7 @@ fn numbers_of_axis(requests: &mut Vec<Request>, sheet: &CycleSheet, x: &dyn Fn(f
 }
 
 /// The height of a curve at an angle.
-fn height(curve: &[[f64; 2]], at: f64) -> f64 {
+pub(super) fn height(curve: &[[f64; 2]], at: f64) -> f64 {
     let next = curve.partition_point(|[angle, _]| *angle <= at);
     match (next.checked_sub(1).and_then(|i| curve.get(i)), curve.get(next)) {
         (Some([a, from]), Some([b, to])) if b > a => from + (to - from) * (at - a) / (b - a),
@@ -535,12 +543,12 @@ fn energy(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
 }
 
 /// Energies are told in the unit of torques.
-fn energy_unit(symbol: &str) -> String {
+pub(super) fn energy_unit(symbol: &str) -> String {
     if symbol == "N*m" { "J".to_owned() } else { symbol.to_owned() }
 }
 
 /// No more knots or areas are told one by one.
-const TOLD: usize = 24;
+pub(super) const TOLD: usize = 24;
 
 /// What a scene states of its diagram and of a governor.
 pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
@@ -675,509 +683,26 @@ pub(super) fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
 
 /// What is told of a diagram: its areas, its levels, and how far these lie apart.
 pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Item> {
-    let told_in = Unit { symbol: "J".to_owned(), si: 1.0 };
-    let list = |values: &[f64], of: fn(u32) -> CycleQuantity| {
-        let told: Vec<Rich> = values
-            .iter()
-            .zip(1_u32..)
-            .take(TOLD)
-            .map(|(value, k)| {
-                let size = figures.borrow_mut().tell(Key::Of(Quantity::Cycle(of(k))), *value, &told_in);
-                let sign = if *value < 0.0 { "−" } else { "" };
-                let size = Rich::upright(sign).then(&human::with_unit(&size, &told_in.symbol));
-                symbol(notation, of(k)).up("\u{a0}=\u{a0}").then(&size)
-            })
-            .collect();
-        Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")
-    };
-    let teller = Computed { sheet, notation, figures };
-    let (mean, table, rest) = teller.lines();
+    let (mean, areas, rest) = Computed { sheet, notation, figures }.lines();
     let mut items = vec![Item::Head(Rich::bold(notation.words.turning_moment_figure))];
-    items.extend(mean.into_iter().map(Item::Sentence));
-    if let Some(lines) = table {
-        items.extend(lines.into_iter().map(Item::Sentence));
-    } else if !sheet.areas.is_empty() {
-        if let Some(line) = teller.where_they_cross() {
-            items.push(Item::Sentence(line));
-        }
-        match teller.planimeter() {
-            Some(lines) => items.extend(lines.into_iter().map(Item::Sentence)),
-            None => items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area))),
-        }
-        items.push(Item::Sentence(list(&sheet.levels, CycleQuantity::Level)));
-    }
+    items.extend(mean.into_iter().chain(areas.into_iter().flatten()).map(Item::Sentence));
     if let Some([highest, lowest]) = sheet.extremes {
-        let of = |k: usize| symbol(notation, CycleQuantity::Level(u32::try_from(k + 1).unwrap_or(u32::MAX)));
-        let part =
-            |quantity: CycleQuantity, k: usize| symbol(notation, quantity).up("\u{a0}=\u{a0}").then(&of(k));
-        let told = [part(CycleQuantity::Highest, highest), part(CycleQuantity::Lowest, lowest)];
+        let counted = |k: usize| u32::try_from(k + 1).unwrap_or(u32::MAX);
+        let part = |quantity: CycleQuantity, of: CycleQuantity| {
+            symbol(notation, quantity).up("\u{a0}=\u{a0}").then(&symbol(notation, of))
+        };
+        let mut told = vec![
+            part(CycleQuantity::Highest, CycleQuantity::Level(counted(highest))),
+            part(CycleQuantity::Lowest, CycleQuantity::Level(counted(lowest))),
+        ];
+        for (of, k) in [(CycleQuantity::AtHighest, highest), (CycleQuantity::AtLowest, lowest)] {
+            let asked = &notation.mechanism().asked;
+            if asked.iter().any(|asked| asked.quantity == Quantity::Cycle(of)) {
+                told.push(part(of, CycleQuantity::Crossing(counted(k))));
+            }
+        }
         items.push(Item::Sentence(Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")));
     }
     items.extend(rest.into_iter().map(Item::Sentence));
     items
-}
-
-/// The lines in which the numbers of the diagram are computed, each from those before it.
-struct Computed<'a> {
-    sheet: &'a CycleSheet,
-    notation: &'a Notation<'a>,
-    figures: &'a RefCell<Figures>,
-}
-
-/// A number of such a line: its symbol, its key where it stands elsewhere too, its value, SI, and its SI unit.
-type Factor = (Rich, Option<Key>, f64, &'static str);
-
-impl Computed<'_> {
-    fn number(&self, of: CycleQuantity, unit: &'static str) -> Option<Factor> {
-        let Answer::Scalar { value, .. } = self.sheet.answer(of) else { return None };
-        Some((symbol(self.notation, of), Some(Key::Of(Quantity::Cycle(of))), value, unit))
-    }
-
-    /// Those of the mean torque, and those that follow from the levels.
-    fn lines(&self) -> (Vec<Rich>, Option<Vec<Rich>>, Vec<Rich>) {
-        let mechanism = self.notation.mechanism();
-        let Some(cycle) = &mechanism.forces.cycle else { return (Vec::new(), None, Vec::new()) };
-        let asked = |of: CycleQuantity| {
-            mechanism.asked.iter().any(|asked| match asked.quantity {
-                Quantity::Cycle(other) => other == of || other.computed_from().contains(&of),
-                _ => false,
-            })
-        };
-        let period = || Some((Rich::italic("θ").sub("C"), Some(Key::Given("θ_C")), cycle.period.value, ""));
-        let (speed, key) = match mechanism.inputs.first() {
-            Some(Input::Angle { link, .. }) => {
-                let quantity = Quantity::Omega(*link);
-                (self.notation.symbol(quantity, false), Key::Of(quantity))
-            }
-            _ => (Rich::italic("ω"), Key::Given("ω")),
-        };
-        let omega = || Some((speed.clone(), Some(key), cycle.omega.value.abs(), "rad/s"));
-        let wanted = || {
-            let given = cycle.fluctuation?;
-            Some((symbol(self.notation, CycleQuantity::OfSpeed), None, given.value, ""))
-        };
-        let of = |quantity, unit| self.number(quantity, unit);
-        let (minus, over, times) = (" −\u{a0}", "\u{a0}/\u{a0}", "\u{a0}×\u{a0}");
-        let turns = if matches!(key, Key::Given(_)) { self.speed_in_radians() } else { None };
-        let mean = [
-            // Waves have no mean of their own: what remains is the constant.
-            (asked(CycleQuantity::Work) || asked(CycleQuantity::Mean)).then(|| {
-                let (name, key, value, unit) = self.number(CycleQuantity::Mean, "N*m")?;
-                let unit = Unit { symbol: unit.to_owned(), si: 1.0 };
-                self.constant()?;
-                let told = self.figures.borrow_mut().tell(key?, value, &unit);
-                let sign = if value < 0.0 { "−" } else { "" };
-                let sum = name.up("\u{a0}= (1\u{a0}/\u{a0}").it("θ").sub("C").up(")\u{a0}∫\u{a0}").it("T");
-                let sum = sum.up("\u{a0}d").it("θ").up("\u{a0}= ").up(sign);
-                Some(sum.then(&human::with_unit(&told, &unit.symbol)))
-            }),
-            (asked(CycleQuantity::Work) && self.constant().is_some()).then(|| {
-                let factors = [of(CycleQuantity::Mean, "N*m")?, period()?];
-                let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
-                self.line(of(CycleQuantity::Work, "J")?, &factors, set, |n| n[0] * n[1])
-            }),
-            asked(CycleQuantity::Work).then(|| self.work()),
-            (asked(CycleQuantity::Mean) && self.constant().is_none()).then(|| {
-                let factors = [of(CycleQuantity::Work, "J")?, period()?];
-                let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
-                self.line(of(CycleQuantity::Mean, "N*m")?, &factors, set, |n| n[0] / n[1])
-            }),
-            asked(CycleQuantity::Power).then(|| {
-                let factors = [of(CycleQuantity::Mean, "N*m")?, omega()?];
-                let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
-                self.line(of(CycleQuantity::Power, "W")?, &factors, set, |n| n[0] * n[1])
-            }),
-        ];
-        let table = self.table_lines();
-        if table.is_none() {
-            self.note_levels();
-        }
-        let rest = [
-            asked(CycleQuantity::Fluctuation).then(|| {
-                let factors = [of(CycleQuantity::Highest, "J")?, of(CycleQuantity::Lowest, "J")?];
-                let set = |n: &[Rich]| n[0].clone().up(minus).then(&n[1]);
-                self.line(of(CycleQuantity::Fluctuation, "J")?, &factors, set, |n| n[0] - n[1])
-            }),
-            asked(CycleQuantity::OfEnergy).then(|| {
-                let factors = [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Work, "J")?];
-                let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
-                self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
-            }),
-            asked(CycleQuantity::Inertia).then(|| self.inertia()),
-            asked(CycleQuantity::OfSpeed).then(|| {
-                let factors =
-                    [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Inertia, "kg*m^2")?, omega()?];
-                let set =
-                    |n: &[Rich]| n[0].clone().up(over).up("(").then(&n[1]).up(times).then(&n[2]).up("²)");
-                self.line(of(CycleQuantity::OfSpeed, "")?, &factors, set, |n| n[0] / (n[1] * n[2] * n[2]))
-            }),
-            asked(CycleQuantity::Flywheel).then(|| {
-                let mut factors = vec![of(CycleQuantity::Fluctuation, "J")?, wanted()?, omega()?];
-                factors.extend(of(CycleQuantity::Inertia, "kg*m^2").filter(|(_, _, value, _)| *value != 0.0));
-                let set = |n: &[Rich]| {
-                    let first = n[0].clone().up(over).up("(").then(&n[1]).up(times).then(&n[2]).up("²)");
-                    n.get(3).map_or_else(|| first.clone(), |own| first.clone().up(minus).then(own))
-                };
-                let reckon = |n: &[f64]| {
-                    let needed = n[0] / (n[1] * n[2] * n[2]);
-                    n.get(3).map_or(needed, |own| needed - own)
-                };
-                self.line(of(CycleQuantity::Flywheel, "kg*m^2")?, &factors, set, reckon)
-            }),
-            asked(CycleQuantity::Most).then(|| self.fastest(CycleQuantity::Most, "max")),
-            asked(CycleQuantity::Least).then(|| self.fastest(CycleQuantity::Least, "min")),
-        ];
-        (
-            turns.into_iter().chain(mean.into_iter().flatten().flatten()).collect(),
-            table,
-            rest.into_iter().flatten().flatten().collect(),
-        )
-    }
-
-    /// The knots of a table over one period, radians and N m: of one driving torque, or of one load, against its mean.
-    fn knots(&self) -> Option<Vec<[f64; 2]>> {
-        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let (Sides::Torque(Course::Curve(Curve::Table { knots, .. }))
-        | Sides::Load(Course::Curve(Curve::Table { knots, .. }))) = &cycle.sides
-        else {
-            return None;
-        };
-        let knots: Vec<[f64; 2]> = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
-        let (first, last) = (knots.first()?, knots.last()?);
-        let whole = first[0] == 0.0 && (last[0] - cycle.period.value).abs() < 1e-9;
-        let one = cycle.copies.number == 1 && !self.sheet.falling && knots.len() <= TOLD;
-        (whole && one).then_some(knots)
-    }
-
-    /// A sum of trapezoids under a line, in N m and degrees, and what it comes to in joules.
-    fn sum(&self, name: Rich, points: &[[f64; 2]], (key, value): (Key, f64)) -> Rich {
-        let parts = points.windows(2).map(|pair| {
-            let [[a, low], [b, high]] = [pair[0], pair[1]];
-            0.5 * (low + high) * (b - a).to_degrees()
-        });
-        let parts: Vec<f64> = parts.collect();
-        let largest = parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
-        let parts: Vec<f64> = parts.into_iter().filter(|part| part.abs() > 1e-9 * largest).collect();
-        let unit = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
-        let (plain, joule) = (unit(""), unit("J"));
-        let factors: Vec<(Option<Key>, f64, &Unit)> =
-            parts.iter().map(|part| (None, *part, &plain)).collect();
-        let reckon = |numbers: &[f64]| {
-            let sum: f64 = numbers.iter().zip(&parts).map(|(number, part)| number.copysign(*part)).sum();
-            sum.to_radians().abs()
-        };
-        // A number stands in other lines without its sign.
-        let told = (Some(key), value.abs(), &joule);
-        let (numbers, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
-        let mut sum = Rich::default();
-        for (index, (number, part)) in numbers.iter().zip(&parts).enumerate() {
-            let sign = match (index, *part < 0.0) {
-                (0, false) => "",
-                (0, true) => "−",
-                (_, false) => " +\u{a0}",
-                (_, true) => " −\u{a0}",
-            };
-            sum = sum.up(sign).then(number);
-        }
-        let line = name.up("\u{a0}= (").then(&sum).up(")\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
-        line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&text, "J"))
-    }
-
-    /// The constant of a sum of waves over whole periods, which is its mean.
-    fn constant(&self) -> Option<f64> {
-        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let (Sides::Torque(Course::Curve(Curve::Harmonics { constant, .. }))
-        | Sides::Load(Course::Curve(Curve::Harmonics { constant, .. }))) = &cycle.sides
-        else {
-            return None;
-        };
-        let Answer::Scalar { value, .. } = self.sheet.answer(CycleQuantity::Mean) else { return None };
-        ((value - constant.value).abs() <= 1e-6 * value.abs()).then_some(value)
-    }
-
-    /// Areas of the paper by their scales: A = 3.25 · 150 · 12°, the angle in radians.
-    fn planimeter(&self) -> Option<Vec<Rich>> {
-        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let Sides::Areas { areas, torque, angle, .. } = &cycle.sides else { return None };
-        if areas.len() > TOLD || areas.len() != self.sheet.areas.len() {
-            return None;
-        }
-        let lines = areas.iter().zip(&self.sheet.areas).zip(1_u32..).map(|((area, value), k)| {
-            let of = CycleQuantity::Area(k);
-            let key = Some(Key::Of(Quantity::Cycle(of)));
-            self.by_scales(symbol(self.notation, of), [area.value, torque.value, angle.value], (key, *value))
-        });
-        Some(lines.collect())
-    }
-
-    /// An area of the paper by the scales of torque and angle.
-    fn by_scales(&self, name: Rich, factors: [f64; 3], (key, value): (Option<Key>, f64)) -> Rich {
-        let unit = |symbol: &str, si: f64| Unit { symbol: symbol.to_owned(), si };
-        let (plain, joule) = (unit("", 1.0), unit("J", 1.0));
-        let degrees = unit("°", std::f64::consts::PI / 180.0);
-        let units = [&plain, &plain, &degrees];
-        let told: Vec<(Option<Key>, f64, &Unit)> =
-            factors.iter().zip(units).map(|(factor, unit)| (None, *factor, unit)).collect();
-        let reckon = |n: &[f64]| n.iter().product::<f64>().to_radians();
-        let result = (key, value.abs(), &joule);
-        let (numbers, text, _) = self.figures.borrow_mut().line_of(&told, result, reckon);
-        let sign = if value < 0.0 { "−" } else { "" };
-        let product = Rich::join(&numbers, &Rich::upright("\u{a0}×\u{a0}"));
-        let line = name.up("\u{a0}= ").up(sign).then(&product).up("\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
-        line.up(sign).then(&human::with_unit(&text, "J"))
-    }
-
-    /// The angles at which the two sides are equal.
-    fn where_they_cross(&self) -> Option<Rich> {
-        let all = &self.sheet.crossings;
-        if all.is_empty() || all.len() > TOLD {
-            return None;
-        }
-        let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
-        let mut figures = self.figures.borrow_mut();
-        let told: Vec<Rich> = all
-            .iter()
-            .zip(1_u32..)
-            .map(|(crossing, k)| {
-                let of = CycleQuantity::Crossing(k);
-                let angle = figures.tell(Key::Of(Quantity::Cycle(of)), crossing.at, &degree);
-                symbol(self.notation, of).up("\u{a0}=\u{a0}").then(&angle).up("°")
-            })
-            .collect();
-        let sides = match self.sheet.constant {
-            Some(0) => Rich::italic("T").sub("l").up("\u{a0}=\u{a0}").it("T").sub("m"),
-            Some(_) => Rich::italic("T").up("\u{a0}=\u{a0}").it("T").sub("m"),
-            None => Rich::italic("T").up("\u{a0}=\u{a0}").it("T").sub("l"),
-        };
-        Some(sides.up(":\u{a0}").then(&Rich::join(&told, &Rich::upright(self.notation.words.comma))).up("."))
-    }
-
-    /// What follows uses the highest and the lowest level as they stand among the levels.
-    fn note_levels(&self) {
-        let key = |of: CycleQuantity| Key::Of(Quantity::Cycle(of));
-        let counted = |index: usize| u32::try_from(index + 1).unwrap_or(u32::MAX);
-        let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
-        let mut figures = self.figures.borrow_mut();
-        for (index, level) in self.sheet.levels.iter().enumerate().take(TOLD) {
-            figures.tell(key(CycleQuantity::Level(counted(index))), *level, &joule);
-        }
-        for (of, index) in [CycleQuantity::Highest, CycleQuantity::Lowest]
-            .into_iter()
-            .zip(self.sheet.extremes.into_iter().flatten())
-        {
-            figures.alias(key(of), key(CycleQuantity::Level(counted(index))));
-        }
-    }
-
-    /// E = Σ ½ (T + T′) Δθ; of an area of the paper by its scales.
-    fn work(&self) -> Option<Rich> {
-        let (name, key, value, _) = self.number(CycleQuantity::Work, "J")?;
-        let sides = &self.notation.mechanism().forces.cycle.as_ref()?.sides;
-        if let Sides::Areas { torque, angle, total: Some(total), .. } = sides {
-            return Some(self.by_scales(name, [total.value, torque.value, angle.value], (key, value)));
-        }
-        let formula =
-            name.up("\u{a0}= Σ\u{a0}½\u{a0}(").it("T").up("\u{a0}+\u{a0}").it("T").up("′)\u{a0}Δ").it("θ");
-        Some(self.sum(formula, &self.knots()?, (key?, value)))
-    }
-
-    /// I = M ρ² of the one mass that turns with the input.
-    fn inertia(&self) -> Option<Rich> {
-        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let [rotating] = cycle.rotating.as_slice() else { return None };
-        if rotating.ratio.value != 1.0 {
-            return None;
-        }
-        let (mass, radius) = match rotating.inertia {
-            RotatingInertia::Mass(mass, radius) => (mass, radius),
-            RotatingInertia::Weight(weight, radius) => {
-                let g = self.notation.mechanism().forces.gravity.g.value;
-                let factors = [
-                    (Rich::italic("W"), None, weight.value, "N"),
-                    (Rich::italic("g"), None, g, "m/s^2"),
-                    (Rich::italic("ρ"), None, radius.value, "m"),
-                ];
-                let over = "\u{a0}/\u{a0}";
-                let set =
-                    |n: &[Rich]| n[0].clone().up(over).then(&n[1]).up("\u{a0}×\u{a0}").then(&n[2]).up("²");
-                let result = self.number(CycleQuantity::Inertia, "kg*m^2")?;
-                return self.line(result, &factors, set, |n| n[0] / n[1] * n[2] * n[2]);
-            }
-            RotatingInertia::Central(_) => return None,
-        };
-        let factors =
-            [(Rich::italic("M"), None, mass.value, "kg"), (Rich::italic("ρ"), None, radius.value, "m")];
-        let set = |n: &[Rich]| n[0].clone().up("\u{a0}×\u{a0}").then(&n[1]).up("²");
-        let result = self.number(CycleQuantity::Inertia, "kg*m^2")?;
-        self.line(result, &factors, set, |n| n[0] * n[1] * n[1])
-    }
-
-    /// ε = (T − T_m) / I, where T is a knot of the table.
-    fn fastest(&self, of: CycleQuantity, index: &str) -> Option<Rich> {
-        /// What differs by more is no knot of one table alone.
-        const ROUNDED: f64 = 1e-9;
-        let cycle = self.notation.mechanism().forces.cycle.as_ref()?;
-        let Sides::Torque(Course::Curve(Curve::Table { knots, .. })) = &cycle.sides else { return None };
-        let result = self.number(of, "rad/s^2")?;
-        let [mean, inertia] = [
-            self.number(CycleQuantity::Mean, "N*m")?,
-            self.number(CycleQuantity::Inertia, "kg*m^2").filter(|(_, _, value, _)| *value > 0.0)?,
-        ];
-        let gives =
-            |torque: &f64| ((torque - mean.2) / inertia.2 - result.2).abs() <= ROUNDED * result.2.abs();
-        let torque = knots.iter().map(|knot| knot[1].value).find(gives)?;
-        let factors = [(Rich::italic("T").sub(index), None, torque, "N*m"), mean, inertia];
-        let set = |n: &[Rich]| {
-            let over = Rich::upright("(").then(&n[0]).up("\u{a0}−\u{a0}").then(&n[1]);
-            over.up(")\u{a0}/\u{a0}").then(&n[2])
-        };
-        self.line(result, &factors, set, |n| (n[0] - n[1]) / n[2])
-    }
-
-    /// Where a torque by a table crosses its mean, the areas between, and the levels, each from the numbers before.
-    fn table_lines(&self) -> Option<Vec<Rich>> {
-        let knots = self.knots()?;
-        let Answer::Scalar { value: mean, .. } = self.sheet.answer(CycleQuantity::Mean) else { return None };
-        let crossings: Vec<f64> = self.sheet.crossings.iter().map(|crossing| crossing.at).collect();
-        let (count, period) = (crossings.len(), knots.last()?[0]);
-        if count == 0
-            || crossings[0] < 1e-9
-            || count > TOLD
-            || self.sheet.areas.len() != count
-            || self.sheet.levels.len() != count
-        {
-            return None;
-        }
-        let n = self.notation;
-        let key = |of: CycleQuantity| Key::Of(Quantity::Cycle(of));
-        let named = |of: CycleQuantity| symbol(n, of);
-        let counted = |index: usize| u32::try_from(index + 1).unwrap_or(u32::MAX);
-        let mut lines = Vec::new();
-        let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
-        let torque = Unit { symbol: "N*m".to_owned(), si: 1.0 };
-        for (index, at) in crossings.iter().enumerate() {
-            let pair = knots.windows(2).find(|pair| pair[0][0] <= *at && *at <= pair[1][0])?;
-            let [[from, low], [to, high]] = [pair[0], pair[1]];
-            if from == to {
-                return None;
-            }
-            let factors = [
-                (None, from, &degree),
-                (Some(key(CycleQuantity::Mean)), mean, &torque),
-                (None, low, &torque),
-                (None, high, &torque),
-                (None, to - from, &degree),
-            ];
-            let signs = [from, mean, low, high, to - from].map(f64::signum);
-            let reckon = |x: &[f64]| {
-                let x: [f64; 5] = std::array::from_fn(|i| x[i] * signs[i]);
-                x[0] + x[4] * (x[1] - x[2]) / (x[3] - x[2])
-            };
-            let of = CycleQuantity::Crossing(counted(index));
-            let told = (Some(key(of)), *at, &degree);
-            let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
-            let minus = |first: &Rich, second: &Rich, negative: bool| {
-                let sign = if negative { "\u{a0}+\u{a0}" } else { "\u{a0}−\u{a0}" };
-                Rich::upright("(").then(first).up(sign).then(second).up(")")
-            };
-            let top = match mean < 0.0 {
-                true => Rich::upright("−").then(&x[1]),
-                false => x[1].clone(),
-            };
-            let high = match high < 0.0 {
-                true => Rich::upright("−").then(&x[3]),
-                false => x[3].clone(),
-            };
-            let line = named(of).up("\u{a0}= ").then(&x[0]).up("°\u{a0}+\u{a0}").then(&x[4]);
-            let line = line.up("°\u{a0}×\u{a0}").then(&minus(&top, &x[2], low < 0.0)).up("\u{a0}/\u{a0}");
-            let line = line.then(&minus(&high, &x[2], low < 0.0)).up("\u{a0}= ").then(&text).up("°");
-            lines.push(line);
-        }
-        // A load takes what it is over its mean.
-        let takes = |cycle: &crate::mechanism::cycle::Cycle| matches!(cycle.sides, Sides::Load(_));
-        let gives = if n.mechanism().forces.cycle.as_ref().is_some_and(takes) { -1.0 } else { 1.0 };
-        // The excess over the mean from one angle to another, which may lie in the next period.
-        let excess = |from: f64, to: f64| {
-            let shifted =
-                |turn: f64| knots.iter().map(move |knot| [knot[0] + turn, gives * (knot[1] - mean)]);
-            let all = shifted(0.0).chain(shifted(period).skip(1)).filter(|[at, _]| from < *at && *at < to);
-            let at_zero = if from == 0.0 { gives * (knots[0][1] - mean) } else { 0.0 };
-            let ends = [[from, at_zero]].into_iter().chain(all).chain([[to, 0.0]]);
-            ends.collect::<Vec<[f64; 2]>>()
-        };
-        for (index, from) in crossings.iter().enumerate() {
-            let to = crossings.get(index + 1).copied().unwrap_or(crossings[0] + period);
-            let of = CycleQuantity::Area(counted(index));
-            lines.push(self.sum(named(of), &excess(*from, to), (key(of), self.sheet.areas[index])));
-        }
-        let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
-        for (index, level) in self.sheet.levels.iter().enumerate() {
-            let of = CycleQuantity::Level(counted(index));
-            let Some(before) = index.checked_sub(1) else {
-                lines.push(self.sum(named(of), &excess(0.0, crossings[0]), (key(of), *level)));
-                continue;
-            };
-            let [first, second] =
-                [CycleQuantity::Level(counted(before)), CycleQuantity::Area(counted(before))];
-            let [a, b] = [self.sheet.levels[before], self.sheet.areas[before]];
-            let factors = [(Some(key(first)), a, &joule), (Some(key(second)), b, &joule)];
-            let reckon = |x: &[f64]| (x[0].copysign(a) + x[1].copysign(b)).abs();
-            let told = (Some(key(of)), level.abs(), &joule);
-            let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
-            let sign = |value: f64, plain: &'static str, minus| if value < 0.0 { minus } else { plain };
-            let line = named(of).up("\u{a0}= ").then(&named(first)).up("\u{a0}+\u{a0}").then(&named(second));
-            let line = line.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0]);
-            let line = line.up(sign(b, "\u{a0}+\u{a0}", "\u{a0}−\u{a0}")).then(&x[1]);
-            let line = line.up("\u{a0}= ").up(sign(*level, "", "−"));
-            lines.push(line.then(&human::with_unit(&text, "J")));
-        }
-        if let Some([highest, lowest]) = self.sheet.extremes {
-            let mut figures = self.figures.borrow_mut();
-            figures.alias(key(CycleQuantity::Highest), key(CycleQuantity::Level(counted(highest))));
-            figures.alias(key(CycleQuantity::Lowest), key(CycleQuantity::Level(counted(lowest))));
-        }
-        Some(lines)
-    }
-
-    /// ω = 2πn/60, where the scene states it otherwise.
-    fn speed_in_radians(&self) -> Option<Rich> {
-        let omega = self.notation.mechanism().forces.cycle.as_ref()?.omega.value;
-        let stated = self.notation.scene.input_units.first()?.rate.as_ref()?;
-        let name = Rich::italic("ω");
-        in_radians(name, (omega, stated), Key::Given("ω"), self.notation, self.figures, Order::Velocity)
-    }
-
-    /// A line with its formula, its numbers and its result; `None` where a sign would have to be told.
-    fn line(
-        &self,
-        (name, key, value, unit): Factor,
-        factors: &[Factor],
-        set: impl Fn(&[Rich]) -> Rich,
-        reckon: impl Fn(&[f64]) -> f64,
-    ) -> Option<Rich> {
-        let equals = "\u{a0}= ";
-        let symbols: Vec<Rich> = factors.iter().map(|(symbol, ..)| symbol.clone()).collect();
-        let formula = name.up(equals).then(&set(&symbols));
-        let unit_of = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
-        let units: Vec<Unit> = factors.iter().map(|(.., unit)| unit_of(unit)).collect();
-        let told: Vec<(Option<Key>, f64, &Unit)> =
-            factors.iter().zip(&units).map(|((_, key, value, _), unit)| (*key, *value, unit)).collect();
-        let result = unit_of(unit);
-        let signs: Vec<f64> = factors.iter().map(|(_, _, value, _)| value.signum()).collect();
-        let signed = |numbers: &[f64]| {
-            let numbers: Vec<f64> = numbers.iter().zip(&signs).map(|(number, sign)| number * sign).collect();
-            reckon(&numbers)
-        };
-        let (numbers, text, _) = self.figures.borrow_mut().line_of(&told, (key, value, &result), signed);
-        let numbers: Vec<Rich> = numbers
-            .into_iter()
-            .zip(&signs)
-            .map(|(number, sign)| match *sign < 0.0 {
-                true => Rich::upright("(−").then(&number).up(")"),
-                false => number,
-            })
-            .collect();
-        let line = formula.up(equals).then(&set(&numbers)).up(equals);
-        Some(line.then(&human::with_unit(&text, unit)))
-    }
 }

@@ -309,7 +309,11 @@ impl Teller<'_> {
         }
         if asked.unit != unit && self.figures.borrow().has(key) {
             let own = human::with_unit(&self.figures.borrow_mut().tell(key, size, &unit), &unit.symbol);
-            all.push(symbol.up(EQUALS).then(&own).up(EQUALS).then(&human::quantity(size, &asked.unit)));
+            // What stands there by the other unit, as the table has it.
+            let told = self.figures.borrow().told(key, size).unwrap_or(size);
+            let other = human::number_told(told / asked.unit.si, size / asked.unit.si);
+            let other = human::with_unit(&other, &asked.unit.symbol);
+            all.push(symbol.up(EQUALS).then(&own).up(EQUALS).then(&other));
         }
         all
     }

@@ -23,10 +23,10 @@ use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Sh
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, Roll};
 
-/// Room for the largest polygon of a scale, mm: the first in which no side is too short for its name.
+/// Room for a polygon, mm: the first in which no side is too short for its name.
 const POLYGON: [f64; 3] = [85.0, 110.0, 140.0];
-/// Polygons smaller than this part of another have a scale of their own.
-const OWN_SCALE: f64 = 20.0;
+/// A scale that is coarser by no more than this takes in a polygon that could have a finer one.
+const HARDLY: f64 = 1.3;
 /// Lengths of arrows of free bodies, mm: they tell where and whither, the polygon how much.
 const ARROWS: (f64, f64) = (9.0, 20.0);
 /// A force shorter than this on its polygon is a point, mm, of which the steps tell.
@@ -270,12 +270,15 @@ fn chain(acting: &[Acting]) -> Option<Vec<[f64; 2]>> {
     (longest > 0.0).then_some(places)
 }
 
+/// How much room a polygon takes: of one that is low and has a row to itself its width takes less.
 fn extent(places: &[[f64; 2]]) -> f64 {
-    let side = |axis: usize| {
+    /// A row is so much wider than a polygon beside others may be.
+    const LOW: f64 = 0.85;
+    let [width, height] = [0, 1].map(|axis| {
         let all = || places.iter().map(|p| p[axis]);
         all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min)
-    };
-    side(0).max(side(1))
+    });
+    height.max(if 2.0 * height < width { LOW * width } else { width })
 }
 
 /// The pole of the polygon of a body.
@@ -356,40 +359,39 @@ fn sides<'a>(sheet: &'a ForceSheet, panel: ForcePanel, notation: &Notation<'_>) 
     }
 }
 
-/// Newtons per millimetre of a polygon: one scale for all of a sheet, but for those that are so much smaller that they
-/// could not be read; round in the scene's unit.
+/// Newtons per millimetre of a polygon, round in the scene's unit: the scale at which it fills its place, or that of another
+/// polygon of the sheet that is hardly coarser.
 #[must_use]
 pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Option<f64> {
-    let extent_of = |panel: ForcePanel| chain(&sides(sheet, panel, notation)).map(|places| extent(&places));
-    let own = extent_of(panel).filter(|own| *own > 0.0)?;
+    let own = filling(sheet, panel, notation)?;
     if let Some(stated) = notation.scene.sheet.force_scale {
         return Some(stated);
     }
-    let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
     let drawn = |panel: &ForcePanel| {
         sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_))
     };
-    let all: Vec<(f64, ForcePanel)> = bodies
-        .chain([ForcePanel::Whole, ForcePanel::Shaking])
-        .filter(drawn)
-        .filter_map(|panel| Some((extent_of(panel)?, panel)))
-        .collect();
-    // From the largest down: whatever is less than a twentieth of the largest of a scale begins another.
-    let mut largest = all.iter().map(|(size, _)| *size).fold(own, f64::max);
-    while own < largest / OWN_SCALE {
-        let smaller = all.iter().map(|(size, _)| *size).filter(|size| *size < largest / OWN_SCALE);
-        largest = smaller.fold(own, f64::max);
+    let all =
+        (0..sheet.bodies.len()).map(ForcePanel::Polygon).chain([ForcePanel::Whole, ForcePanel::Shaking]);
+    let near = all.filter(drawn).filter_map(|other| filling(sheet, other, notation));
+    Some(near.filter(|scale| *scale <= own * HARDLY).fold(own, f64::max))
+}
+
+/// The scale at which a polygon fills its place with no more sides than there have to be too short for their names.
+fn filling(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Option<f64> {
+    let forces = sides(sheet, panel, notation);
+    let size = extent(&chain(&forces)?);
+    if size <= 0.0 {
+        return None;
     }
-    let same = all.iter().filter(|(size, _)| *size <= largest && *size >= largest / OWN_SCALE);
-    let lengths: Vec<f64> = same
-        .flat_map(|(_, panel)| sides(sheet, *panel, notation).into_owned())
+    let lengths: Vec<f64> = forces
+        .iter()
         .map(|acting| libm::hypot(acting.force[0], acting.force[1]))
-        .filter(|size| *size > largest / HOPELESS)
+        .filter(|length| *length > size / HOPELESS)
         .collect();
     let unit = notation.scene.units.force.si;
-    let scales: Vec<f64> = POLYGON.iter().map(|room| round_scale(largest, *room, unit)).collect();
-    let crowded = |scale: f64| lengths.iter().filter(|size| **size / scale < CROWDED).count();
-    scales.into_iter().reduce(|best, next| if crowded(next) < crowded(best) { next } else { best })
+    let crowded = |scale: f64| lengths.iter().filter(|length| **length / scale < CROWDED).count();
+    let scales = POLYGON.iter().map(|room| round_scale(size, *room, unit));
+    scales.reduce(|best, next| if crowded(next) < crowded(best) { next } else { best })
 }
 
 /// Newtons per millimetre of the larger polygons of a sheet, where there are any.

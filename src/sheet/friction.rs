@@ -56,7 +56,13 @@ fn name(touch: &Touch, notation: &Notation<'_>) -> Rich {
 }
 
 pub(super) fn title(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Rich {
-    let at = sheet.rubs.get(index).map(|touch| name(touch, notation)).unwrap_or_default();
+    let touch = sheet.rubs.get(index);
+    // A pin in a block rubs at one place twice.
+    if let Some(RubbingPair::Slide(slide)) = touch.map(|touch| touch.rub.pair) {
+        let guide = ("guide", notation.named_guide(slide));
+        return Rich::fill(notation.words.friction_guide_figure, &[guide]);
+    }
+    let at = touch.map(|touch| name(touch, notation)).unwrap_or_default();
     Rich::fill(notation.words.friction_figure, &[("point", at)])
 }
 

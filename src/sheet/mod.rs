@@ -15,6 +15,7 @@ mod compose;
 mod controlling;
 mod coriolis;
 mod cycle;
+mod cycle_lines;
 mod derived;
 mod detail;
 pub mod diagrams;
@@ -59,6 +60,7 @@ mod table;
 pub mod tradeoff;
 mod transfer;
 mod wanted;
+mod waves;
 mod words;
 
 pub use answers::{Part, prompt};

@@ -1,5 +1,6 @@
 //! The result table.
 
+use super::cycle::energy_unit;
 use super::notation::Notation;
 use super::printed::{Figures, Key};
 use super::rich::Rich;
@@ -96,17 +97,18 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
     }
     // Constructions of their own have readings of their own.
     let key = Some(Key::of(asked.quantity, notation)).filter(|_| asked.method == Method::Polygon);
+    // An energy has the name that its unit has in the lines.
+    let unit = match asked.quantity {
+        Quantity::Cycle(of) if of.is_energy() => energy_unit(&asked.unit.symbol),
+        _ => asked.unit.symbol.clone(),
+    };
     let amount = |si: f64| {
         let told = key.and_then(|key| figures.told(key, si));
-        told.map_or_else(
-            || human::quantity(si, &asked.unit),
-            |told| {
-                human::with_unit(
-                    &human::number_told(told / asked.unit.si, si / asked.unit.si),
-                    &asked.unit.symbol,
-                )
-            },
-        )
+        let number = told.map_or_else(
+            || human::number(si / asked.unit.si),
+            |told| human::number_told(told / asked.unit.si, si / asked.unit.si),
+        );
+        human::with_unit(&number, &unit)
     };
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.

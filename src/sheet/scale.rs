@@ -10,7 +10,7 @@ use super::compose::{Draft, Filled, free_paper, room_of_question};
 use super::figure::{Figure, Node};
 use super::overlap::clip;
 use super::transfer;
-use crate::graphical::auxiliary::AuxiliaryDrawing;
+use crate::graphical::auxiliary::{AuxiliaryDrawing, StrokeShape};
 use crate::graphical::construction::{
     Centre, CentrePlace, CircleDiagram, Construction, Mm2, Transfer, TransferInk,
 };
@@ -27,7 +27,7 @@ pub const SKELETON: (f64, f64) = (92.0, 70.0);
 /// Room for a long and low skeleton that has the row to itself.
 pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
 /// Room for a construction on the skeleton with its named points, inside the names.
-pub const AUXILIARY: (f64, f64) = (140.0, 130.0);
+pub const AUXILIARY: (f64, f64) = (140.0, 170.0);
 /// Room for a polygon that shares its row with another.
 pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
 /// Room for the only polygon of a sheet, and for arrows on the skeleton.
@@ -686,30 +686,40 @@ fn too_near(points: &[[f64; 2]], least: f64) -> usize {
 }
 
 /// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
-/// named points; `None` where it has room, or where the skeleton would become too small to read.
+/// named points, and with its circles as far as the paper can hold them; `None` where it has room, or where the skeleton would
+/// become too small to read.
 #[must_use]
-pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
+pub fn for_auxiliary(scene: &Scene, construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
     /// The skeleton is not shrunk by more than this.
     const MOST: f64 = 4.0;
+    /// For a circle it is not shrunk by more than a step of the scales.
+    const STEP: f64 = 2.0;
     if drawing.is_lever() {
         return None;
     }
-    let named = drawing.points.iter().map(|p| p.at);
-    let all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
-    let extent = |axis: usize| {
-        let least = all.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let most = all.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        most - least
+    let across = |all: &[[f64; 2]], room: (f64, f64)| {
+        let extent = |axis: usize| {
+            let least = all.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+            let most = all.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+            most - least
+        };
+        f64::max(extent(0) / room.0, extent(1) / room.1)
     };
-    let needed = f64::max(extent(0) / AUXILIARY.0, extent(1) / AUXILIARY.1);
+    let named = drawing.points.iter().map(|p| p.at);
+    let mut all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
+    let needed = across(&all, AUXILIARY);
     if !(needed > 1.0 && needed <= MOST) {
         return None;
     }
-    choose_length(
-        extent(0) * construction.space.metres_per_mm,
-        extent(1) * construction.space.metres_per_mm,
-        AUXILIARY,
-    )
+    all.extend(drawing.strokes.iter().flat_map(|stroke| match stroke.shape {
+        StrokeShape::Circle { centre: [x, y], radius } => {
+            vec![[x - radius, y - radius], [x + radius, y + radius]]
+        }
+        StrokeShape::Line(..) | StrokeShape::Curve { .. } | StrokeShape::RightAngle { .. } => Vec::new(),
+    }));
+    let with_circles = across(&all, free_paper(scene));
+    let needed = if with_circles <= STEP * needed { needed.max(with_circles) } else { needed };
+    choose_length(needed * construction.space.metres_per_mm, 0.0, (1.0, 1.0))
 }
 
 /// The diagrams of a figure that find no room on their paper, and the next scale at which they do, SI per mm: what stands

@@ -803,7 +803,7 @@ impl Teller<'_> {
                     ("length", n.length(*from, *to)),
                     ("value", metres(*length)),
                     ("mm", human::millimetres(length / per_mm)),
-                    ("angle", human::degrees(*angle)),
+                    ("angle", human::degrees(self.as_given(*angle))),
                 ],
             ),
             Act::StrikeArc { centre, to, radius } => self.arc_about([*centre, *to], *radius),
@@ -1240,6 +1240,14 @@ impl Teller<'_> {
         ];
         let own = Rich::fill(words.arc_is_guide, &[("guide", n.named_guide(index))]);
         Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&own))
+    }
+
+    /// An angle as the scene states it for an input: 200°, not −160°.
+    fn as_given(&self, angle: f64) -> f64 {
+        let turn = std::f64::consts::TAU;
+        let same = |given: &f64| given.abs() <= turn && libm::remainder(given - angle, turn).abs() < 1e-9;
+        let mut given = self.notation.scene.input_units.iter().filter_map(|input| input.angle);
+        given.find(same).unwrap_or(angle)
     }
 
     /// The straight guide of a link that this step lays on its rider, which stands: by its direction, where the link does not
