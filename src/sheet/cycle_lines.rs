@@ -100,7 +100,10 @@ impl Computed<'_> {
                 self.line(of(CycleQuantity::Fluctuation, "J")?, &factors, set, |n| n[0] - n[1])
             }),
             asked(CycleQuantity::OfEnergy).then(|| {
-                let factors = [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Work, "J")?];
+                let (name, key, work, unit) = of(CycleQuantity::Work, "J")?;
+                let bars = |name: Rich| Rich::upright("|").then(&name).up("|");
+                let name = if work < 0.0 { bars(name) } else { name };
+                let factors = [of(CycleQuantity::Fluctuation, "J")?, (name, key, work.abs(), unit)];
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
                 self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
             }),
