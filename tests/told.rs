@@ -344,7 +344,7 @@ fn no_contact_is_called_by_a_prime() {
     let scene = common::example("forces/planetary-gear");
     let names: Vec<&str> = scene.mechanism.points.iter().map(|point| point.name.as_str()).collect();
     assert!(names.contains(&"P") && names.contains(&"Q"), "{names:?}");
-    // A point P2 has the image p2, which is that of a contact P of link 2 as well.
+    // A point p has the image of a contact P; a scene that has points P2 and P3 of both bodies there means the contact.
     let wheel = |name: &str| {
         format!(
             r#"{{ "fixed": {{ "O2": [0, 0], "O3": [3, 0] }}, "links": {{ "2": {{ "joins": ["O2", "{name}"], "length": 1 }},
@@ -352,7 +352,7 @@ fn no_contact_is_called_by_a_prime() {
                 "input": {{ "link": 2, "angle": 30, "omega": 2 }}, "find": ["omega(3)"] }}"#
         )
     };
-    for (name, contact) in [("A", "P"), ("P2", "Q"), ("p", "Q")] {
+    for (name, contact) in [("A", "P"), ("P", "Q"), ("p", "Q"), ("P2", "P")] {
         let scene = common::read(&wheel(name));
         let contact_of = scene.mechanism.contacts[0];
         assert_eq!(scene.mechanism.points[contact_of.0].name, contact);

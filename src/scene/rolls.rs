@@ -66,9 +66,7 @@ pub(super) fn pressures(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()
 /// by mistake.
 pub(super) fn name_contacts(mechanism: &mut Mechanism) {
     for _ in 0..mechanism.rolls.len() {
-        let letters = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_lowercase();
-        let taken =
-            |own: &str| mechanism.points.iter().any(|point| letters(&point.name) == own.to_lowercase());
+        let taken = |own: &str| mechanism.points.iter().any(|point| point.name.eq_ignore_ascii_case(own));
         let name = free_letters("P", taken);
         mechanism.contacts.push(PointId(mechanism.points.len()));
         mechanism.points.push(Point { name, place: Place::Unknown, links: Vec::new(), journal: None });
