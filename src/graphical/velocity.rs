@@ -724,6 +724,12 @@ impl Draughtsman<'_> {
         self.act_read(order, vector);
     }
 
+    /// The image of a link's point under a pin that is not one of its points, where it is drawn.
+    pub(super) fn image_drawn_under(&self, order: Order, pin: PointId, link: LinkId) -> Option<Point> {
+        let known = self.coincident.iter().find(|c| c.order == order && c.pin == pin && c.link == link);
+        known.map(|known| known.image)
+    }
+
     /// The image of the point of a solved link under a pin: V = ω l from a known image of the link.
     pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point {
         if link == LinkId::FRAME {
@@ -732,9 +738,8 @@ impl Draughtsman<'_> {
         if self.mechanism.link(link).points.contains(&pin) {
             return self.image(order, pin);
         }
-        let known = self.coincident.iter().find(|c| c.order == order && c.pin == pin && c.link == link);
-        if let Some(known) = known {
-            return known.image;
+        if let Some(known) = self.image_drawn_under(order, pin, link) {
+            return known;
         }
         let image = match self.base_for(order, pin, link) {
             Some(base) if order == Order::Acceleration => {
