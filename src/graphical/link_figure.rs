@@ -130,12 +130,9 @@ impl Draughtsman<'_> {
 
     /// The real distance of two points of a link: as given, or measured and said so.
     pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount {
-        if let Some(&(.., length)) = self
-            .lengths
-            .iter()
-            .rev()
-            .find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
-        {
+        let key = (link, p.min(q), p.max(q));
+        let known = self.length_at.get(&key).and_then(|at| self.lengths.get(*at));
+        if let Some(&(_, _, _, length)) = known.filter(|(l, a, b, _)| (*l, *a.min(b), *a.max(b)) == key) {
             return length;
         }
         let ends = self.index_in(link, p).zip(self.index_in(link, q)).map(|(i, j)| (i.min(j), i.max(j)));
@@ -169,6 +166,7 @@ impl Draughtsman<'_> {
                 value
             }
         };
+        self.length_at.insert(key, self.lengths.len());
         self.lengths.push((link, p, q, length));
         length
     }

@@ -707,10 +707,11 @@ impl Draughtsman<'_> {
 
     /// The vector from the pole to an image, read; one that was laid off from the pole stands there already.
     pub(super) fn absolute_vector(&mut self, order: Order, quantity: Quantity, label: Label, image: Point) {
-        let stands = self.polygon(order).is_some_and(|polygon| {
-            let same = |v: &Vector| (v.quantity, v.tail, v.head) == (quantity, Label::Pole, label);
-            polygon.vectors.iter().any(same)
-        });
+        let stands = self.leads_from_pole(order, label)
+            && self.polygon(order).is_some_and(|polygon| {
+                let same = |v: &Vector| (v.quantity, v.tail, v.head) == (quantity, Label::Pole, label);
+                polygon.vectors.iter().any(same)
+            });
         if stands {
             return;
         }
