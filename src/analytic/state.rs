@@ -200,9 +200,9 @@ impl State {
                 let moves = bodies.iter().flat_map(|body| &rates[3 * body..3 * body + 3]);
                 let size = moves.fold(0.0_f64, |most, rate| most.max(rate.abs()));
                 if rate.value.abs() > (PARTING * size).max(rate.bound) {
-                    let time = self.model.time.powi(i32::from(order));
-                    let si = rate.value.abs() * self.model.length / time;
-                    let unit = if order == 1 { "m/s" } else { "m/s^2" };
+                    let second = self.model.time;
+                    let (unit, per) = if order == 1 { ("m/s", second) } else { ("m/s^2", second * second) };
+                    let si = rate.value.abs() * self.model.length / per;
                     return Ok(Some(self.model.mechanism.say_parts(roll, &format!("{si:.3e} {unit}"))));
                 }
             }

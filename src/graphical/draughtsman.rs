@@ -114,8 +114,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) poses: Vec<Option<Pose>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount)>,
-    /// Where each stands among them, as long as it does: what was rubbed out may still be named here.
-    pub(super) length_at: HashMap<(LinkId, PointId, PointId), usize>,
+    /// Where those of each link stand among them, as long as they do: what was rubbed out may still be named here.
+    pub(super) length_at: Vec<Vec<usize>>,
     /// To which images a vector leads from the pole.
     from_pole: HashSet<(Order, Label)>,
     /// What is known of the motion, by order.
@@ -259,7 +259,7 @@ impl<'m> Draughtsman<'m> {
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
-            length_at: HashMap::new(),
+            length_at: vec![Vec::new(); links],
             from_pole: HashSet::new(),
             has_under: with_points_under(mechanism, structure),
             motions: [0, 1].map(|_| Motion {

@@ -214,7 +214,7 @@ fn try_answers(dice: &mut Dice, scene_text: &str, tally: &mut Tally) -> String {
     } else {
         mutation::answers(dice, scene_text)
     };
-    INPUT.with_borrow_mut(|input| *input = format!("{scene_text}\n---\n{text}"));
+    trying(&format!("{scene_text}\n---\n{text}"));
     let Ok(answers) = grade::read_named(&text, "a", &scene) else { return text };
     let settings = GradeSettings { draughtsmen: 8, ..GradeSettings::default() };
     if let Ok((report, figure)) = grade::grade_with_overlay(&scene, &answers, &settings) {
@@ -267,9 +267,13 @@ pub(crate) fn every_room(seeds: &[String]) -> impl Fn(&mut Dice, &mut Tally) {
     }
 }
 
+/// What was tried last by whichever thread, to be told if it does not end.
+static LAST: Mutex<String> = Mutex::new(String::new());
+
 /// Notes what is being tried, to be told if it fails.
 pub(crate) fn trying(text: &str) {
     INPUT.with_borrow_mut(|input| text.clone_into(input));
+    text.clone_into(&mut LAST.lock().unwrap());
 }
 
 /// Tries one input; what failed.
@@ -296,7 +300,7 @@ fn watch(now: &Now, longest: Duration) {
             if let Some((since, index)) = *now.lock().unwrap()
                 && since.elapsed() > 100 * longest
             {
-                eprintln!("input {index} does not end");
+                eprintln!("input {index} does not end:\n{}", LAST.lock().unwrap());
                 std::process::exit(101);
             }
             drop(now);
