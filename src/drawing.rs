@@ -17,8 +17,18 @@ use crate::solve::{Settings, SolveError, Solved, governed, solve_with};
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
 pub(crate) const LARGEST_SHEET: f64 = 100_000.0;
-/// How what is larger is mended.
-const SMALLER: &str = "choose smaller scales; where none is stated the diagrams fill their panels";
+
+/// What is larger than a sheet may be, and how that is mended.
+fn too_large(scene: &Scene, what: &str) -> Diagnostic {
+    let sheet = &scene.sheet;
+    let scales = [sheet.length_scale, sheet.velocity_scale, sheet.acceleration_scale, sheet.force_scale];
+    let (by, mend) = if scales.iter().any(Option::is_some) {
+        ("at the stated scales", "choose smaller scales; where none is stated the diagrams fill their panels")
+    } else {
+        ("at the scales that fit the rest", "state `scales` of the sheet at which it fits")
+    };
+    scene.source.complain(Subject::Sheet, format!("{by} {what}"), Some(mend.to_owned()))
+}
 
 /// What is drawn of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -207,8 +217,8 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
     figure = with_what_is_missing(figure, scene, &solved, language);
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
-        let what = format!("at the stated scales the sheet would be {width} m wide and {height} m high");
-        return Err(scene.source.complain(Subject::Sheet, what, Some(SMALLER.to_owned())).into());
+        let what = format!("the sheet would be {width} m wide and {height} m high");
+        return Err(too_large(scene, &what).into());
     }
     Ok(Drawn { figure, indeterminate: indeterminate(scene, construction) })
 }
@@ -365,8 +375,8 @@ impl Wish {
         let across =
             sheet::scale::largest_diagram(scene, &solved.solution.construction, self.kind == Kind::Question);
         if across > LARGEST_SHEET {
-            let what = format!("at the stated scales a diagram would be {} m across", short(across / 1000.0));
-            return Err(scene.source.complain(Subject::Sheet, what, Some(SMALLER.to_owned())).into());
+            let what = format!("a diagram would be {} m across", short(across / 1000.0));
+            return Err(too_large(scene, &what).into());
         }
         Ok((extent, solved))
     }

@@ -14,7 +14,7 @@ pub const ENTRIES: usize = 10_000;
 /// Values of one file, counted together.
 pub const VALUES: usize = 500_000;
 /// Knots of a table over an angle, areas of a diagram.
-pub const KNOTS: usize = 3_000;
+pub const KNOTS: usize = 1_000;
 /// Folders inside one another.
 pub const FOLDERS: usize = 64;
 /// Files and folders that are looked at for scenes.
@@ -46,7 +46,7 @@ pub const ENTITIES: usize = 1_000;
 /// Other positions on one skeleton.
 pub const POSITIONS: usize = 24;
 /// Positions of a sweep.
-pub const STEPS: u32 = 10_000_000;
+pub const STEPS: u32 = 1_000_000;
 /// A line of a message: characters.
 pub const MESSAGE: usize = 300;
 

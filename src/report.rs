@@ -1,7 +1,7 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
 use crate::graphical::construction::{Construction, Stiffness};
-use crate::graphical::{DrawError, Missing, Unplaced};
+use crate::graphical::{DrawError, Missing, Parting, Unplaced};
 use crate::mechanism::force::SpringKind;
 use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
@@ -164,6 +164,16 @@ fn is_rigid(error: &StructureError) -> bool {
     mobility.freedoms < 1
 }
 
+/// How fast bodies come apart, in the scene's units.
+fn rate_of(how: Parting, scene: &Scene) -> String {
+    let (length, time) = (&scene.units.length, &scene.units.time);
+    let (rate, per, power) = match how {
+        Parting::Speed(rate) => (rate, time.si, ""),
+        Parting::Acceleration(rate) => (rate, time.si * time.si, "^2"),
+    };
+    format!("{} {}/{}{power}", short(rate.abs() * per / length.si), length.symbol, time.symbol)
+}
+
 fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
     let unit = &scene.units.length;
     match error {
@@ -221,6 +231,12 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 format!("say it, as in \"placed\": {{ \"{name}\": [0, 0] }}"),
             )
         }
+        DrawError::ComesApart { roll, how } => (
+            Subject::Roll(*roll),
+            scene.mechanism.say_parts(*roll, &rate_of(*how, scene)),
+            "join their centres by a link, or take an input or a pair away: then the contact holds them"
+                .to_owned(),
+        ),
         DrawError::Unplaced { point, why } => {
             let name = &scene.mechanism.point(*point).name;
             let stated = scene.mechanism.statement_of(*point);

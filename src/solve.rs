@@ -113,7 +113,9 @@ impl SolveError {
             }
             Self::Structure(_)
             | Self::Position(_)
-            | Self::Draw(DrawError::NoConstruction { .. } | DrawError::Missing(_)) => None,
+            | Self::Draw(
+                DrawError::NoConstruction { .. } | DrawError::Missing(_) | DrawError::ComesApart { .. },
+            ) => None,
         }
     }
 }

@@ -894,6 +894,7 @@ fn what_cannot_be_swept_is_told_with_nothing_written() {
         (&["sweep", "s.json", "--tolerance", "-1", "-o", "a.csv"], "tolerance"),
         (&["sweep", "s.json", "--tolerance", "1e-300", "-o", "a.csv"], "least tolerance"),
         (&["sweep", "s.json", "--steps", "99999999999", "-o", "a.csv"], "--steps"),
+        (&["sweep", "s.json", "--steps", "1000001", "-o", "a.csv"], "1000000"),
         (&["sweep", "s.json", "--lang", "xx", "-o", "a.svg"], "language xx"),
         (&["sweep", "s.json", "--bounds", "-o", "a.svg"], "--bounds is for tables"),
         (&["sweep", "s.json", "--against", "angle"], "--against"),

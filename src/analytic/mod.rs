@@ -88,6 +88,12 @@ pub enum AnalyticError {
         /// Why not, one clause.
         why: String,
     },
+    /// The motion takes two bodies apart that roll on each other.
+    #[error("{why}")]
+    ComesApart {
+        /// Which, and how fast.
+        why: String,
+    },
     /// A load against the motion of a point at rest, or a spring without length: it points nowhere.
     #[error("a force points along a line without length")]
     Directionless,

@@ -949,6 +949,13 @@ impl Model {
         }
     }
 
+    /// Whether a rolling pair moves here and nothing holds its bodies at their distance but what they are made of.
+    pub(super) fn rolls_open(&self, roll: usize) -> bool {
+        let bodies = self.mechanism.rolls[roll].bodies();
+        let moves = bodies.iter().all(|link| self.kept.get(link.0).copied().unwrap_or(true));
+        moves && !self.distance_is_held(roll)
+    }
+
     /// The rolling pairs whose contact is an equation of its own: those held by nothing else, as far as
     /// equations are missing.
     fn contacts(&self, missing: usize) -> Vec<usize> {

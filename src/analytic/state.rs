@@ -2,7 +2,7 @@
 
 use super::AnalyticError;
 use super::assembly::assemble;
-use super::constraints::{Motion, Scope};
+use super::constraints::{Formulas, Motion, Scope};
 use super::cycle::Turning;
 use super::figure;
 use super::friction::{self, Found, Rubbing};
@@ -20,6 +20,9 @@ const WHOLE: usize = 240;
 
 /// The first-order bound is doubled, for the terms of higher order.
 const SAFETY: f64 = 2.0;
+
+/// Rolling bodies come apart that do so by more than this part of how they move.
+const PARTING: f64 = 1e-5;
 
 /// So many times as much as usual what repeats given places may miss where a long lever magnifies it: what misses least is
 /// tried first.
@@ -138,6 +141,9 @@ impl State {
             state.solved = Some(solved);
             state.unit = unit;
         }
+        if let Some(why) = state.coming_apart()? {
+            return Err(AnalyticError::ComesApart { why });
+        }
         let unaimed = state.unaimed();
         if let Some(burden) = &mut state.burden {
             unaimed.into_iter().for_each(|(what, why)| burden.leave_out(what, why));
@@ -172,6 +178,36 @@ impl State {
             state.resting = state.at_rest().into_iter().flat_map(|(bodies, _)| bodies).collect();
         }
         Ok(state)
+    }
+
+    /// Why there is no motion, where rolling bodies that nothing holds at their distance come apart: the distance is no
+    /// equation of the motion, and its derivatives are not zero.
+    fn coming_apart(&self) -> Result<Option<String>, AnalyticError> {
+        for roll in 0..self.model.mechanism.rolls.len() {
+            if !self.model.rolls_open(roll) {
+                continue;
+            }
+            let row = self.model.distance_row(roll)?;
+            let known = [(1, self.solved.as_ref()), (1, self.unit.as_ref()), (2, self.solved.as_ref())];
+            for (order, solved) in known.into_iter().take_while(|(order, _)| *order <= self.motion_order()) {
+                let Some(solved) = solved else { continue };
+                let Ok([rate]) = self.read(order, Some(solved), |s| [s.row(&row).at(order)]) else {
+                    continue;
+                };
+                // Of what moves at all: places that are rounded hold a distance as well as they can.
+                let rates = if order == 1 { &solved.rate } else { &solved.accel };
+                let bodies = row.bodies();
+                let moves = bodies.iter().flat_map(|body| &rates[3 * body..3 * body + 3]);
+                let size = moves.fold(0.0_f64, |most, rate| most.max(rate.abs()));
+                if rate.value.abs() > (PARTING * size).max(rate.bound) {
+                    let second = self.model.time;
+                    let (unit, per) = if order == 1 { ("m/s", second) } else { ("m/s^2", second * second) };
+                    let si = rate.value.abs() * self.model.length / per;
+                    return Ok(Some(self.model.mechanism.say_parts(roll, &format!("{si:.3e} {unit}"))));
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// In which sense a pair that rubs moves: +1, −1, or 0 where it does not.

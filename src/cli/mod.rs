@@ -217,7 +217,7 @@ enum Command {
         /// The scene file; - for standard input
         scene: PathBuf,
         /// Equal steps over the range; one position more than steps
-        #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+        #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=i64::from(crate::limits::STEPS)))]
         steps: Option<u32>,
         /// As many positions as it takes for no column to stray from the line between two of them by more
         /// than this part of its range, except where a column grows without end

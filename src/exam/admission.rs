@@ -229,7 +229,10 @@ fn refused(error: SolveError) -> Flaw {
     match error {
         // A position that the sheet is to show and that the variant does not come to is as bad as its own.
         SolveError::Draw(
-            DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
+            DrawError::CannotAssemble { .. }
+            | DrawError::NoClosure { .. }
+            | DrawError::Unplaced { .. }
+            | DrawError::ComesApart { .. },
         )
         | SolveError::Position(_) => Flaw::CannotAssemble,
         SolveError::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Flaw::OtherAssembly,

@@ -1,7 +1,7 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
 use std::collections::hash_map::Entry;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::given::Given;
@@ -114,6 +114,10 @@ pub(super) struct Draughtsman<'m> {
     pub(super) poses: Vec<Option<Pose>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount)>,
+    /// Where those of each link stand among them, as long as they do: what was rubbed out may still be named here.
+    pub(super) length_at: Vec<Vec<usize>>,
+    /// To which images a vector leads from the pole.
+    from_pole: HashSet<(Order, Label)>,
     /// What is known of the motion, by order.
     motions: [Motion; 2],
     /// Which links cannot turn, whatever moves: the frame, and what slides on such links without turning.
@@ -255,6 +259,8 @@ impl<'m> Draughtsman<'m> {
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
+            length_at: vec![Vec::new(); links],
+            from_pole: HashSet::new(),
             has_under: with_points_under(mechanism, structure),
             motions: [0, 1].map(|_| Motion {
                 images: vec![None; points],
@@ -687,6 +693,11 @@ impl<'m> Draughtsman<'m> {
         }
     }
 
+    /// Whether a vector may lead from the pole to this image: where none does so, never.
+    pub(super) fn leads_from_pole(&self, order: Order, head: Label) -> bool {
+        self.from_pole.contains(&(order, head))
+    }
+
     /// Notes a vector of a polygon and returns its index.
     pub(super) fn note_vector(
         &mut self,
@@ -698,6 +709,9 @@ impl<'m> Draughtsman<'m> {
         let step = self.step_index();
         let (from, to) = (from.value(), to.value());
         let as_point = is_a_point(libm::hypot(to[0] - from[0], to[1] - from[1]));
+        if tail == Label::Pole && self.polygon(order).is_some() {
+            self.from_pole.insert((order, head));
+        }
         let Some(polygon) = self.polygon_mut(order) else { return 0 };
         polygon.vectors.push(Vector {
             kind,

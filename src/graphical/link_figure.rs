@@ -130,12 +130,11 @@ impl Draughtsman<'_> {
 
     /// The real distance of two points of a link: as given, or measured and said so.
     pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount {
-        if let Some(&(.., length)) = self
-            .lengths
-            .iter()
-            .rev()
-            .find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
-        {
+        let mut known = self.length_at[link.0].iter().rev().filter_map(|at| self.lengths.get(*at));
+        let same = |(l, a, b, _): &&(LinkId, PointId, PointId, Amount)| {
+            *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q))
+        };
+        if let Some(&(.., length)) = known.find(same) {
             return length;
         }
         let ends = self.index_in(link, p).zip(self.index_in(link, q)).map(|(i, j)| (i.min(j), i.max(j)));
@@ -169,6 +168,9 @@ impl Draughtsman<'_> {
                 value
             }
         };
+        let at = self.lengths.len();
+        self.length_at[link.0].retain(|known| *known < at);
+        self.length_at[link.0].push(at);
         self.lengths.push((link, p, q, length));
         length
     }

@@ -140,6 +140,14 @@ pub enum DrawError {
     /// A construction of the skeleton asks for what nothing in the scene and no step of the drawing gives.
     #[error("the skeleton asks for something that no step draws")]
     Missing(Missing),
+    /// The motion takes two bodies apart that roll on each other: no pair holds their centres.
+    #[error("rolling bodies come apart")]
+    ComesApart {
+        /// The rolling pair.
+        roll: usize,
+        /// How it shows.
+        how: Parting,
+    },
     /// No construction is known for a group.
     #[error("no construction is known for a group")]
     NoConstruction {
@@ -160,6 +168,16 @@ pub enum Unplaced {
         /// By how much, metres.
         by: f64,
     },
+}
+
+/// How two bodies come apart that roll on each other: the derivative of the distance between their centres, or of a
+/// centre from a line, that is not zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Parting {
+    /// The first, m/s; positive where it grows.
+    Speed(f64),
+    /// The second, m/s².
+    Acceleration(f64),
 }
 
 /// Two figures that do not meet, by name and length (metres).
@@ -323,7 +341,9 @@ pub fn solution(
     let board = board_scales(mechanism, structure, plan);
     let on_a_board = |mechanism| {
         let mut drawn = draw(Board::new(Tape::of(arithmetic)), mechanism, structure, plan, board)?;
-        verify::verify(&mut drawn).map(|missed| (missed, drawn))
+        let missed = verify::verify(&mut drawn)?;
+        verify::contacts(&mut drawn, plan)?;
+        Ok((missed, drawn))
     };
     let ranged = |error| with_range(error, mechanism, structure, plan);
     let (missed, mut drawn) = on_a_board(mechanism).map_err(ranged)?;

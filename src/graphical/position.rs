@@ -85,6 +85,8 @@ fn draw_groups(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
 
 /// Two hints that differ by less than this part cannot choose between two places.
 const HINT_TIE: f64 = 1e-9;
+/// A hint that is so many times farther away than two places lie apart does not lie between them: it is a mistake.
+const HINT_FAR: f64 = 1e6;
 /// Nor can two whose distances differ by less than this on paper, millimetres: rounding does.
 const HINT_FLOOR: f64 = 1e-12;
 /// A guide and an arc that cross at a smaller angle only touch, as far as a direction is read from it, radians.
@@ -1900,18 +1902,17 @@ impl Draughtsman<'_> {
         };
         // The pin's own hint comes first. Where it has none, or lies between both, a hint for another point of its
         // links may still tell.
-        if chosen(score).is_none() {
+        let [first, second] = sides.map(|side| self.board.look(&pair, side));
+        let apart = libm::hypot(first[0] - second[0], first[1] - second[1]) * per_mm;
+        let is_far = matches!(score, [Some(a), Some(b)] if a.min(b).sqrt() > HINT_FAR * apart);
+        if chosen(score).is_none() && !is_far {
             score = self.hints_beside(main, rider, pin, pair);
         }
         match chosen(score) {
             Some(side) => Ok(side),
             None => {
                 let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
-                Err(DrawError::Ambiguous {
-                    pin,
-                    first: world(self.board.look(&pair, Side::First)),
-                    second: world(self.board.look(&pair, Side::Second)),
-                })
+                Err(DrawError::Ambiguous { pin, first: world(first), second: world(second) })
             }
         }
     }

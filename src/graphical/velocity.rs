@@ -707,10 +707,11 @@ impl Draughtsman<'_> {
 
     /// The vector from the pole to an image, read; one that was laid off from the pole stands there already.
     pub(super) fn absolute_vector(&mut self, order: Order, quantity: Quantity, label: Label, image: Point) {
-        let stands = self.polygon(order).is_some_and(|polygon| {
-            let same = |v: &Vector| (v.quantity, v.tail, v.head) == (quantity, Label::Pole, label);
-            polygon.vectors.iter().any(same)
-        });
+        let stands = self.leads_from_pole(order, label)
+            && self.polygon(order).is_some_and(|polygon| {
+                let same = |v: &Vector| (v.quantity, v.tail, v.head) == (quantity, Label::Pole, label);
+                polygon.vectors.iter().any(same)
+            });
         if stands {
             return;
         }
@@ -724,6 +725,12 @@ impl Draughtsman<'_> {
         self.act_read(order, vector);
     }
 
+    /// The image of a link's point under a pin that is not one of its points, where it is drawn.
+    pub(super) fn image_drawn_under(&self, order: Order, pin: PointId, link: LinkId) -> Option<Point> {
+        let known = self.coincident.iter().find(|c| c.order == order && c.pin == pin && c.link == link);
+        known.map(|known| known.image)
+    }
+
     /// The image of the point of a solved link under a pin: V = ω l from a known image of the link.
     pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point {
         if link == LinkId::FRAME {
@@ -732,9 +739,8 @@ impl Draughtsman<'_> {
         if self.mechanism.link(link).points.contains(&pin) {
             return self.image(order, pin);
         }
-        let known = self.coincident.iter().find(|c| c.order == order && c.pin == pin && c.link == link);
-        if let Some(known) = known {
-            return known.image;
+        if let Some(known) = self.image_drawn_under(order, pin, link) {
+            return known;
         }
         let image = match self.base_for(order, pin, link) {
             Some(base) if order == Order::Acceleration => {

@@ -6,12 +6,15 @@
 
 use std::cell::Cell;
 
-use crate::board::Line;
+use crate::board::{Direction, Line};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::structure::{Joint, holds_distance};
 use crate::mechanism::{Input, LinkId, Place, PointId, Rider, Roll};
+use crate::plan::Plan;
 
 use super::draughtsman::Draughtsman;
 use super::pose::Track;
-use super::{DrawError, Unplaced};
+use super::{DrawError, Parting, Unplaced};
 
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
@@ -151,6 +154,107 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     }
     let worst = worst.get();
     Ok(if worst > noise { worst * d.scales.length() } else { 0.0 })
+}
+
+/// Refuses a motion that takes bodies apart that roll on each other. Where a pair holds their centres, or the contact does
+/// so itself, nothing can; any other distance is held by special dimensions at most, and only the motion tells.
+///
+/// # Errors
+/// [`DrawError::ComesApart`] for the first pair in the order of the velocity diagram.
+pub(super) fn contacts(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
+    let held = d.structure.contacts();
+    let steps = plan.steps(Order::Velocity).iter().map(|step| step.group);
+    let joints = steps.flat_map(|group| &d.structure.groups[group].joints);
+    let rolls = joints.filter_map(|joint| if let Joint::Roll(roll) = *joint { Some(roll) } else { None });
+    let open = |roll: &usize| !held.contains(roll) && !holds_distance(d.mechanism, &d.mechanism.rolls[*roll]);
+    let rolls: Vec<usize> = rolls.filter(open).collect();
+    d.board.tape().aside(true);
+    let apart = rolls.into_iter().find_map(|roll| d.parting(roll).map(|how| (roll, how)));
+    d.board.tape().aside(false);
+    apart.map_or(Ok(()), |(roll, how)| Err(DrawError::ComesApart { roll, how }))
+}
+
+impl Draughtsman<'_> {
+    /// How a rolling pair comes apart, if it does by more than rounded places explain and than the bounds leave open.
+    fn parting(&mut self, roll: usize) -> Option<Parting> {
+        let (ends, line) = match self.mechanism.rolls[roll] {
+            Roll::Circles { centres, .. } => (centres, None),
+            Roll::Line { guide, centre, .. } => ([self.contact_of(roll), centre], Some(guide.link)),
+        };
+        let [from, to] = ends.map(|point| self.places[point.0]);
+        let (from, to) = (from?, to?);
+        let reason = self.reason(&self.mechanism.rolls[roll].bodies());
+        let (along, length) = self.board.toward(from, to, reason);
+        let velocity = self.apart(Order::Velocity, ends, line, along)?;
+        if velocity.parts() {
+            return Some(Parting::Speed(velocity.along));
+        }
+        // On a line that turns the contact wanders with the wheel: there velocities alone are looked at.
+        if line.is_some_and(|link| link != LinkId::FRAME) {
+            return None;
+        }
+        let mut acceleration = self.apart(Order::Acceleration, ends, line, along)?;
+        if line.is_none() {
+            // The distance d grows by n·A + V²/d, V being square to the line of centres.
+            let length = length.value() * self.scales.length();
+            let normal = velocity.across * velocity.across / length;
+            acceleration.along += normal;
+            acceleration.size += normal;
+            acceleration.bound += 2.0 * velocity.across.abs() * velocity.bound / length;
+        }
+        acceleration.parts().then_some(Parting::Acceleration(acceleration.along))
+    }
+
+    /// How the second of two points moves against the first, of a line's body where one is named, along a direction and
+    /// across it; `None` where no image of either is drawn.
+    fn apart(
+        &mut self,
+        order: Order,
+        [from, to]: [PointId; 2],
+        line: Option<LinkId>,
+        along: Direction,
+    ) -> Option<Apart> {
+        let [from, to] = [(from, line), (to, None)].map(|(point, link)| match link {
+            Some(link) if link != LinkId::FRAME => self.image_drawn_under(order, point, link),
+            Some(_) => Some(self.board.origin()),
+            None if self.mechanism.is_fixed(point) => Some(self.board.origin()),
+            None => self.images(order)[point.0],
+        });
+        let (from, to) = (from?, to?);
+        let scale = self.polygon_scale(order).si_per_mm;
+        let [towards, across] = self.board.square_off(Line { through: from, along }, to);
+        let size =
+            [from, to].iter().map(|image| libm::hypot(image.value()[0], image.value()[1])).sum::<f64>();
+        let mut measured = Apart {
+            along: towards.value() * scale,
+            across: across.value() * scale,
+            size: size * scale,
+            bound: 0.0,
+        };
+        // What hangs on no determined motion tells nothing, and is told itself.
+        let tape = self.board.tape();
+        let marks = [towards.mark(), across.mark()];
+        if marks.iter().any(|mark| tape.keeps() && tape.weakness(*mark).is_some()) {
+            return None;
+        }
+        measured.bound = marks.iter().map(|mark| self.left_open(&[*mark])).sum::<f64>() * scale;
+        Some(measured)
+    }
+}
+
+/// A point's motion against another's.
+struct Apart {
+    along: f64,
+    across: f64,
+    /// The sum of the sizes that are compared.
+    size: f64,
+    bound: f64,
+}
+
+impl Apart {
+    fn parts(&self) -> bool {
+        self.along.abs() > (ROUNDING * self.size).max(self.bound)
+    }
 }
 
 impl Draughtsman<'_> {

@@ -551,6 +551,16 @@ impl Mechanism {
         format!("no equilibrium: links {one} and {other} roll on each other and would have to pull")
     }
 
+    /// Why there is no motion where two bodies that roll on each other come apart, at this rate.
+    #[must_use]
+    pub fn say_parts(&self, roll: usize, rate: &str) -> String {
+        let [one, other] = self.rolls[roll].bodies().map(|link| self.link(link).number);
+        format!(
+            "links {one} and {other} roll on each other and would come apart or press into each other, at {rate}: \
+             nothing holds their centres"
+        )
+    }
+
     /// The point that an input drives along a guide: the pin that rides, or the first joint of the link that does.
     #[must_use]
     pub fn driven_point(&self, input: usize) -> Option<PointId> {

@@ -533,7 +533,8 @@ impl Structure {
     }
 
     /// The rolling pairs that keep their bodies in contact.
-    fn contacts(&self) -> Vec<usize> {
+    #[must_use]
+    pub fn contacts(&self) -> Vec<usize> {
         let joints = self.groups.iter().flat_map(|group| &group.joints);
         joints.filter_map(|joint| if let Joint::Contact(roll) = *joint { Some(roll) } else { None }).collect()
     }
@@ -617,7 +618,8 @@ fn contact_ends(nodes: &Nodes, roll: &Roll) -> [usize; 2] {
 /// Whether other pairs hold two rolling bodies together: one link has both centres, or one centre rides on an
 /// arc about the other; the wheel's centre rides on the body of the line, or that body slides without turning
 /// against a link that has the centre.
-fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
+#[must_use]
+pub fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
     let has = |link: LinkId, point: PointId| mechanism.point(point).links.contains(&link);
     match roll {
         Roll::Circles { centres, .. } => {

@@ -143,7 +143,9 @@ impl Grid {
         V: FnMut(usize) -> ControlFlow<()>,
     {
         let own = Rect::from_points(a, b).inflate(half, half);
-        let mut cells = self.touched(own).filter(|cell| self.meets(*cell, a, b, half));
+        // Most cells of a sheet are empty.
+        let mut cells =
+            self.touched(own).filter(|cell| self.first[*cell] != NONE && self.meets(*cell, a, b, half));
         cells.try_for_each(|cell| self.each(cell, &mut visit))
     }
 

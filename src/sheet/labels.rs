@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::ops::{ControlFlow, Range};
 
 use kurbo::{Point, Rect, Vec2};
@@ -223,6 +224,8 @@ pub struct Obstacles {
 #[derive(Debug)]
 struct Clump {
     strokes: Range<usize>,
+    /// Other strokes that lie where its only one does: in the polygon of a long chain hundreds fall together.
+    copies: Vec<usize>,
     /// The box of their ink.
     bounds: Rect,
 }
@@ -235,8 +238,17 @@ enum Thing<'a> {
     Box(usize),
 }
 
+impl Clump {
+    /// All its strokes, by number.
+    fn all(&self) -> impl Iterator<Item = usize> {
+        self.strokes.clone().chain(self.copies.iter().copied())
+    }
+}
+
 /// Width and height of a clump at most, mm.
 const CLUMP: f64 = 4.0;
+/// Strokes whose ends are no farther apart than this lie on each other, mm.
+const TOGETHER_MM: f64 = 1e-6;
 
 /// What a query writes on.
 #[derive(Debug, Default)]
@@ -268,6 +280,7 @@ impl Obstacles {
         self.strokes.extend(more.strokes);
         let later = |clump: Clump| Clump {
             strokes: clump.strokes.start + before..clump.strokes.end + before,
+            copies: clump.copies.iter().map(|copy| copy + before).collect(),
             ..clump
         };
         self.clumps.extend(more.clumps.into_iter().map(later));
@@ -276,7 +289,34 @@ impl Obstacles {
         self.index();
     }
 
+    /// Strokes that stand alone and lie on each other become one clump: each is asked for by itself where its place
+    /// matters, and none where it does not.
+    fn gather(&mut self) {
+        let rounded = |at: Point| [at.x, at.y].map(|x| (x / TOGETHER_MM).round() as i64);
+        let mut first_of: HashMap<([i64; 2], [i64; 2], u64), usize> = HashMap::new();
+        let mut gathered: Vec<Clump> = Vec::with_capacity(self.clumps.len());
+        for clump in self.clumps.drain(..) {
+            if clump.strokes.len() == 1 {
+                let (a, b, half) = self.strokes[clump.strokes.start];
+                match first_of.entry((rounded(a), rounded(b), half.to_bits())) {
+                    Entry::Occupied(known) => {
+                        let first = &mut gathered[*known.get()];
+                        first.bounds = first.bounds.union(clump.bounds);
+                        first.copies.extend(clump.all());
+                        continue;
+                    }
+                    Entry::Vacant(new) => {
+                        new.insert(gathered.len());
+                    }
+                }
+            }
+            gathered.push(clump);
+        }
+        self.clumps = gathered;
+    }
+
     fn index(&mut self) {
+        self.gather();
         let area = |points: &[Point]| {
             let first = points.first().copied().unwrap_or_default();
             points.iter().fold(Rect::from_points(first, first), |r, p| r.union_pt(*p))
@@ -287,7 +327,7 @@ impl Obstacles {
         self.grid = Grid::new(whole);
         for (i, clump) in self.clumps.iter().enumerate() {
             match &self.strokes[clump.strokes.clone()] {
-                [(a, b, half)] => self.grid.add_stroke(i, *a, *b, *half),
+                [(a, b, half)] => self.grid.add_stroke(i, *a, *b, *half + TOGETHER_MM),
                 _ => self.grid.add(i, clump.bounds),
             }
         }
@@ -326,12 +366,20 @@ impl Obstacles {
                     clump.bounds = bounds;
                     clump.strokes.end = at + 1;
                 }
-                _ => self.clumps.push(Clump { strokes: at..at + 1, bounds: own }),
+                _ => self.clumps.push(Clump { strokes: at..at + 1, copies: Vec::new(), bounds: own }),
             }
         }
         if let (Some(Tone::Ink), Shape::Polygon(points)) = (mark.fill, &mark.shape) {
             self.areas.push(points.clone());
         }
+    }
+
+    /// Whether a stroke of a clump may lie in a box: of those that lie on each other the first one tells.
+    fn may_touch(&self, clump: &Clump, tight: Rect) -> bool {
+        let (a, b, half) = self.strokes[clump.strokes.start];
+        let near = half + 2.0 * TOGETHER_MM;
+        clump.bounds.overlaps(tight)
+            && (clump.copies.is_empty() || clip(a, b, tight.inflate(near, near)).is_some())
     }
 
     /// Whether a box costs nothing: found out at the first thing that is in its way.
@@ -340,10 +388,12 @@ impl Obstacles {
         let tight = own.inflate(CLEARANCE, CLEARANCE);
         let wide = own.inflate(WORD, CLEARANCE);
         let free_of = |number: usize| match self.thing(number) {
-            Thing::Clump(Clump { strokes, bounds }) => {
-                let apart =
-                    |&(a, b, half): &(Point, Point, f64)| clip(a, b, tight.inflate(half, half)).is_none();
-                !bounds.overlaps(tight) || self.strokes[strokes.clone()].iter().all(apart)
+            Thing::Clump(clump) => {
+                let apart = |i: usize| {
+                    let (a, b, half) = self.strokes[i];
+                    clip(a, b, tight.inflate(half, half)).is_none()
+                };
+                !self.may_touch(clump, tight) || clump.all().all(apart)
             }
             Thing::Area(area) => !area.iter().any(|p| tight.contains(*p)),
             Thing::Box(i) => !self.boxes[i].overlaps(wide) || between(own, self.boxes[i]).0 == 0.0,
@@ -373,11 +423,14 @@ impl Obstacles {
         // A stroke lies in the cells that it touches with its own width.
         let found = self.grid.visit(wide, |number| {
             match self.thing(number) {
-                Thing::Clump(Clump { strokes, bounds }) => {
-                    if !bounds.overlaps(tight) || !met.first_time(number) {
+                Thing::Clump(clump) => {
+                    if !clump.bounds.overlaps(tight)
+                        || !met.first_time(number)
+                        || !self.may_touch(clump, tight)
+                    {
                         return ControlFlow::Continue(());
                     }
-                    for i in strokes.clone() {
+                    for i in clump.all() {
                         let (a, b, half) = self.strokes[i];
                         if let Some((t0, t1)) = clip(a, b, tight.inflate(half, half)) {
                             let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
@@ -881,8 +934,11 @@ impl Market<'_> {
             let _ = obstacles.grid.visit(own, |number| {
                 match obstacles.thing(number) {
                     Thing::Clump(clump) if clump.bounds.overlaps(own) && met.first_time(number) => {
-                        let strokes = obstacles.strokes[clump.strokes.clone()].iter();
-                        crossed += strokes.filter(|(a, b, _)| crossing(start, to, *a, *b)).count();
+                        let crosses = |i: &usize| {
+                            let (a, b, _) = obstacles.strokes[*i];
+                            crossing(start, to, a, b)
+                        };
+                        crossed += clump.all().filter(crosses).count();
                     }
                     Thing::Box(i) => {
                         struck |= clip(start, to, obstacles.boxes[i].inflate(0.3, 0.3)).is_some();
@@ -1201,6 +1257,33 @@ mod tests {
         let mut texts = 0;
         ink.walk(&mut |node| texts += usize::from(matches!(node, Node::Text(_))));
         assert_eq!(texts, 12);
+    }
+
+    /// Lines that lie on each other, to the last digits or nearly so, cost what each of them costs, one after the other.
+    #[test]
+    fn lines_on_each_other_cost_what_they_cost_alone() {
+        let (a, b) = (Point::new(0.0, 0.0), Point::new(40.0, 17.0));
+        let pen = Pen::solid(0.25);
+        let ink = |lines: &[(Point, Point)]| {
+            let mut group = Group::default();
+            for (from, to) in lines {
+                group.mark(Mark::stroke(Shape::Line(*from, *to), pen));
+            }
+            Obstacles::of(&group)
+        };
+        let near = Point::new(40.0 + 1e-9, 17.0 - 1e-9);
+        let (alone, other) = (ink(&[(a, b)]), ink(&[(a, near)]));
+        let mut together = ink(&[(a, b), (a, near)]);
+        let mut more = Group::default();
+        more.mark(Mark::stroke(Shape::Line(a, b), pen));
+        together.extend(&more);
+        assert_eq!(together.clumps.len(), 1);
+        for (x, y) in [(20.0, 8.5), (20.0, 6.0), (20.0, 9.4), (39.9, 17.5), (20.0, 30.0), (-2.0, -1.0)] {
+            let own = Rect::from_center_size((x, y), (3.0, 2.0));
+            let [first, second] = [&alone, &other].map(|obstacles| obstacles.cost_up_to(own, f64::INFINITY));
+            assert_eq!(together.cost_up_to(own, f64::INFINITY), first + second + first, "at {x}, {y}");
+            assert_eq!(together.is_free(own), alone.is_free(own) && other.is_free(own), "at {x}, {y}");
+        }
     }
 
     /// Two lines close to each other are named from outside, each on its own side.

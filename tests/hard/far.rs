@@ -73,3 +73,19 @@ fn a_place_that_nothing_tells_is_not_the_origin() {
     assert_eq!(ran.code, Some(1), "{}", ran.err);
     assert!(ran.err.contains("x(G)") && !folder.path("far.svg").exists(), "{}", ran.err);
 }
+
+/// A rough place that its digits do not tell from the middle of two assemblies chooses none of them, and leaves the choice to
+/// no other: the scene is told so, by the name of the place.
+#[test]
+fn a_rough_place_beyond_all_digits_is_named() {
+    let folder = Folder::new("rough-far");
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 45 }, "3": { "joins": ["A", "B", "G"], "line": [0, 160, 50] } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2", "angle": 90 } }],
+        "input": { "link": 2, "angle": 50, "omega": 10 }, "near": { "B": [46, 1e12], "G": [-1, 1] }, "find": ["x(B)"]
+    });
+    folder.write("s.json", scene.to_string());
+    let said = folder.refused(&["solve", "s.json"]);
+    assert!(said.contains("near.B") && said.contains("[46, 1000000000000] the one as the other"), "{said}");
+}

@@ -9,6 +9,8 @@ use crate::common;
 
 mod banks;
 mod commands;
+mod conflicts;
+mod contacts;
 mod dice;
 mod far;
 mod folder;
