@@ -201,19 +201,26 @@ impl Judge<'_, '_> {
     /// The mistakes that explain the answer, ranked, and all that the student is taken to have drawn so far.
     fn explain(&self) -> (Vec<Mistake>, Change) {
         let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), self.drawn.clone()) };
-        let mut hypotheses = mistakes::all(self.case, &base, self.drawn);
+        let hypotheses = mistakes::all(self.case, &base, self.drawn);
         let open: Vec<usize> = (0..self.verdicts.len()).filter(|&i| self.verdicts[i].is_none()).collect();
-        hypotheses.extend(fitted::laid_off(self.case, self.drawn, &open));
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
         let unmoved = self.case.seen(&base, self.drawn);
         let unmoved = self.case.miss(self.first, unmoved[self.first].as_deref(), self.case.rooms[self.first]);
-        let mut tried = self.tried(&base, &hypotheses, self.drawn);
-        // What leaves the answer where it was does not explain it.
-        tried.retain(|t| unmoved - t.moved >= MOVES);
-        let mut tried = self.weighed(tried);
-        self.credit(&mut tried);
-        tried.retain(|t| t.cost < price && !self.contradicts(t));
+        let explained_by = |hypotheses: &[Hypothesis]| {
+            let mut tried = self.tried(&base, hypotheses, self.drawn);
+            // What leaves the answer where it was does not explain it.
+            tried.retain(|t| unmoved - t.moved >= MOVES);
+            let mut tried = self.weighed(tried);
+            self.credit(&mut tried);
+            tried.retain(|t| t.cost < price && !self.contradicts(t));
+            tried
+        };
+        let mut tried = explained_by(&hypotheses);
+        // A number that is found explains more than one that is usual: it is sought where none of these does.
+        if tried.is_empty() {
+            tried = explained_by(&fitted::laid_off(self.case, self.drawn, &open));
+        }
         // Two mistakes fit any one number: there must be more to be explained.
         let mut two = false;
         // Nor does any one number that is nothing.
