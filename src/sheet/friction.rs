@@ -229,7 +229,7 @@ pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Ite
 /// friction circles needs both, so the second circle is told with the first.
 fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
     let touch = sheet.rubs.get(index)?;
-    let of_axes = axes(sheet).filter(|(body, _)| touch.along.is_none() && touch.acts_on(*body));
+    let of_axes = axes(sheet).filter(|(body, _)| touch.along.is_none() && touch.acts_on(body));
     of_axes.map(|(body, _)| told_at(body, sheet)).chain([acts_first(touch, sheet)]).flatten().min()
 }
 
