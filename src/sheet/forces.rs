@@ -601,15 +601,21 @@ impl Frame {
         Some(Self::around(places.fold(Rect::from_points(first, first), |all, at| all.union_pt(at))))
     }
 
-    /// Where the arrow of a force begins: at its place, on its line beside the body, or at the border.
-    fn stand(self, acting: &Acting, at: Point) -> Stand {
+    /// Where the arrow of a force begins: at its place, on its line beside the body, or at the border, square to its line from
+    /// what is near.
+    fn stand(self, acting: &Acting, at: Point, near: Option<Point>) -> Stand {
         let size = libm::hypot(acting.force[0], acting.force[1]);
         if self.0.contains(at) || size <= 0.0 {
             return Stand::At(at);
         }
         let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
-        let foot = at + along * (self.0.center() - at).dot(along);
-        if self.0.contains(foot) { Stand::At(foot) } else { Stand::Border(self.cut(self.0.center(), foot)) }
+        let square = |from: Point| at + along * (from - at).dot(along);
+        let foot = square(self.0.center());
+        if self.0.contains(foot) {
+            return Stand::At(foot);
+        }
+        let from = near.unwrap_or(self.0.center());
+        Stand::Border(self.cut(from, square(from)))
     }
 
     /// The same on a skeleton, with what leads there where that is far.
@@ -621,7 +627,7 @@ impl Frame {
         (construction, notation): (&Construction, &Notation<'_>),
     ) -> Point {
         let on_line = on_page(acting.through, construction);
-        match self.stand(acting, on_line) {
+        match self.stand(acting, on_line, near) {
             Stand::At(at) => at,
             Stand::Border(border) => {
                 let force = (acting, on_line, border);
@@ -1020,13 +1026,13 @@ impl Free<'_> {
         let mut taken = Vec::new();
         for acting in self.acting {
             let on_line = on_page(acting.through, construction);
-            let at = match frame.stand(acting, on_line) {
+            let near = places.iter().map(|(at, ..)| *at);
+            let near = near.min_by(|a, b| a.distance(on_line).total_cmp(&b.distance(on_line)));
+            let at = match frame.stand(acting, on_line, near) {
                 Stand::At(at) => at,
                 Stand::Border(border)
                     if acting.known == Knowledge::Full || acting.known == Knowledge::Line =>
                 {
-                    let near = places.iter().map(|(at, ..)| *at);
-                    let near = near.min_by(|a, b| a.distance(border).total_cmp(&b.distance(border)));
                     let force = (acting, on_line, border);
                     far_off(&mut group, &mut requests, force, near, (construction, notation));
                     border
