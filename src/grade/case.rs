@@ -16,7 +16,7 @@ use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, ConstructionLine, ForceSheet, Label, Reference,
 };
 use crate::graphical::cycle::CycleSheet;
-use crate::graphical::{Departure, Paper, Scales, Sketch, Slip, Slips, free_bodies, sketch};
+use crate::graphical::{Departure, Paper, Scales, Searched, Sketch, Slip, Slips, free_bodies, sketch};
 use crate::limits;
 use crate::mechanism::cycle::{CycleQuantity, RotatingInertia};
 use crate::mechanism::force::{Action, Force, Share};
@@ -78,6 +78,8 @@ pub(super) struct Case<'s> {
     pub(super) stated: StatedScales,
     pub(super) hand: Hand,
     pub(super) draughtsmen: u64,
+    /// What was found by trial so far.
+    searched: Searched,
     /// The right drawing.
     pub(super) right: Sketch,
     pub(super) observations: Vec<Observation>,
@@ -258,7 +260,8 @@ impl<'s> Case<'s> {
         let scales = scales.on(Paper { force: newtons, ..paper });
         let rotating = rotating(&asking.mechanism);
         let mechanism = asking.mechanism;
-        let right = sketch(&mechanism, &structure, &plan, scales, &[], None)
+        let searched = Searched::default();
+        let right = sketch(&mechanism, &structure, &plan, scales, (&[], &searched), None)
             .map_err(|error| GradeError::Solve(error.into()))?;
         let ground = Ground::new(&mechanism, &construction, scales, standard);
         let mut case = Self {
@@ -270,6 +273,7 @@ impl<'s> Case<'s> {
             stated: answers.scales,
             hand: standard.hand,
             draughtsmen: settings.draughtsmen,
+            searched,
             right,
             observations: Vec::new(),
             truth: Vec::new(),
@@ -751,7 +755,8 @@ impl<'s> Case<'s> {
         let mechanism = change.mechanism(&self.mechanism);
         let by = draughtsman.map(|seed| (self.hand, seed));
         let drawn = |departures: &[Departure]| {
-            let sketch = sketch(&mechanism, &self.structure, &self.plan, self.scales, departures, by).ok()?;
+            let manner = (departures, &self.searched);
+            let sketch = sketch(&mechanism, &self.structure, &self.plan, self.scales, manner, by).ok()?;
             Some(self.with_cycle(sketch, change, draughtsman))
         };
         if change.strays.is_empty() {

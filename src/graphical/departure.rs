@@ -16,6 +16,7 @@ use super::construction::{Claim, Construction, ForceSheet, Mm2};
 use super::draughtsman::Draughtsman;
 use super::dyad::Route;
 use super::reading::read_all;
+use super::trial::Searched;
 use super::{DrawError, Scales, draw_departing};
 
 /// One way in which a drawing departs from the right one.
@@ -199,7 +200,7 @@ pub struct Sketch {
 }
 
 /// Draws a mechanism with departures from the right construction; by an exact hand, or by a draughtsman with
-/// dice (his hand, his number).
+/// dice (his hand, his number). What an exact hand finds by trial is kept for the next drawing.
 ///
 /// # Errors
 /// As [`super::construct`]: a departure may part what would meet.
@@ -208,21 +209,22 @@ pub fn sketch(
     structure: &Structure,
     plan: &Plan,
     scales: Scales,
-    departures: &[Departure],
+    (departures, searched): (&[Departure], &Searched),
     draughtsman: Option<(Hand, u64)>,
 ) -> Result<Sketch, DrawError> {
     if let Some((hand, seed)) = draughtsman {
         let board = Board::new(Tape::trembling(hand, seed));
-        return draw_departing(board, mechanism, structure, plan, scales, departures).map(finish);
+        return draw_departing(board, mechanism, structure, plan, scales, (departures, None)).map(finish);
     }
+    let manner = (departures, Some(searched));
     let bare = || {
         let board = Board::scratch();
-        draw_departing(board, mechanism, structure, plan, scales, departures).map(finish)
+        draw_departing(board, mechanism, structure, plan, scales, manner).map(finish)
     };
     // Only a tape tells a tangency from a miss.
     let taped = || {
         let board = Board::default();
-        draw_departing(board, mechanism, structure, plan, scales, departures).map(finish)
+        draw_departing(board, mechanism, structure, plan, scales, manner).map(finish)
     };
     bare().or_else(|_| taped())
 }
@@ -238,7 +240,7 @@ pub fn free_bodies(
     scales: Scales,
     departures: &[Departure],
 ) -> Result<Option<ForceSheet>, DrawError> {
-    let mut drawn = draw_departing(Board::default(), mechanism, structure, plan, scales, departures)?;
+    let mut drawn = draw_departing(Board::default(), mechanism, structure, plan, scales, (departures, None))?;
     Ok(super::forces::record(&mut drawn, plan))
 }
 

@@ -26,7 +26,7 @@ use super::missing::Missing;
 use super::page::is_a_point;
 use super::pose::Pose;
 use super::rolled::Starts;
-use super::trial::Tried;
+use super::trial::{Searched, Tried};
 use super::{Scales, scale};
 
 /// Images of one polygon.
@@ -154,6 +154,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) tried_rates: Vec<(Order, TrialDriver, Amount)>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
+    /// What was found by trial in drawings before.
+    pub(super) searched: Option<&'m Searched>,
     /// With friction, how often each balance is drawn again where that cannot be seen from the drawing: a hand that
     /// trembles never draws the same twice.
     pub(super) redrawn: Vec<(Share, usize)>,
@@ -285,6 +287,7 @@ impl<'m> Draughtsman<'m> {
             ways: BTreeMap::new(),
             tried_rates: Vec::new(),
             departures: &[],
+            searched: None,
             redrawn: Vec::new(),
             tried_sizes: Vec::new(),
             pressed: Vec::new(),

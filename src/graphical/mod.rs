@@ -45,6 +45,7 @@ pub use reading::Numbers;
 pub use scales::{DiagramExtent, Extents, Paper, Scales};
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
+pub use trial::Searched;
 
 use std::collections::HashSet;
 
@@ -436,21 +437,21 @@ fn draw<'m>(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Draughtsman<'m>, DrawError> {
-    draw_departing(board, mechanism, structure, plan, scales, &[])
+    draw_departing(board, mechanism, structure, plan, scales, (&[], None))
 }
 
-/// As [`draw`], with departures from the right construction.
+/// As [`draw`], with departures from the right construction, and with what was found by trial in drawings before.
 fn draw_departing<'m>(
     board: Board,
     mechanism: &'m Mechanism,
     structure: &'m Structure,
     plan: &Plan,
     scales: Scales,
-    departures: &'m [Departure],
+    (departures, searched): (&'m [Departure], Option<&'m Searched>),
 ) -> Result<Draughtsman<'m>, DrawError> {
     let begun = |board: Board| {
         let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
-        draughtsman.departures = departures;
+        (draughtsman.departures, draughtsman.searched) = (departures, searched);
         draughtsman
     };
     let mut draughtsman = begun(board);

@@ -14,6 +14,8 @@
 //!
 //! *Acceleration*: in the same way, with the trial driver's angular acceleration.
 
+use std::cell::RefCell;
+
 use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side, found_by_trial};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
@@ -60,6 +62,7 @@ const CLEARLY: f64 = 0.25;
 const LEAST_RATE: f64 = 1e-3;
 
 /// A way to close the group: the trial driver's angle and the sides that its inner groups take.
+#[derive(Debug, Clone)]
 struct Root {
     angle: f64,
     sides: Vec<Side>,
@@ -68,10 +71,62 @@ struct Root {
 
 /// What moves while a group is tried: its placed points have hints then instead of places, and its links of placed
 /// points are figures to be laid on like any other.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Tried {
     pub(super) points: Vec<PointId>,
     pub(super) links: Vec<LinkId>,
+}
+
+/// Ways in which groups of higher class close, kept from one drawing to the next: where nothing differs before a group, the
+/// search for them, which takes almost all of the time, has the same end.
+#[derive(Debug, Default)]
+pub struct Searched(RefCell<Vec<Search>>);
+
+/// A search: everything that it hangs on, and what it found.
+#[derive(Debug)]
+struct Search {
+    trial: Trial,
+    stands: Stands,
+    mechanism: Mechanism,
+    found: Result<Root, DrawError>,
+}
+
+/// What stands on the skeleton before a search, as numbers.
+#[derive(Debug, PartialEq)]
+struct Stands {
+    scale: f64,
+    places: Vec<Option<[f64; 2]>>,
+    pricked: Vec<Option<[f64; 2]>>,
+    stated_hints: Vec<Option<[f64; 2]>>,
+    poses: Vec<Option<[[f64; 2]; 4]>>,
+    tried: Tried,
+}
+
+impl Searched {
+    /// The way in which a group closes, as [`Draughtsman::find_root`] finds it.
+    fn root(&self, d: &mut Draughtsman<'_>, trial: &Trial) -> Result<Root, DrawError> {
+        let stands = d.as_it_stands();
+        let same = |search: &&Search| {
+            search.stands == stands
+                && search.trial == *trial
+                && is_same_skeleton(&search.mechanism, d.mechanism)
+        };
+        if let Some(search) = self.0.borrow().iter().find(same) {
+            return search.found.clone();
+        }
+        let found = d.find_root(trial);
+        let mechanism = d.mechanism.clone();
+        self.0.borrow_mut().push(Search { trial: trial.clone(), stands, mechanism, found: found.clone() });
+        found
+    }
+}
+
+/// Whether two mechanisms do not differ in anything but what acts on them and is asked.
+fn is_same_skeleton(one: &Mechanism, other: &Mechanism) -> bool {
+    (&one.links, &one.points, &one.pins, &one.slides)
+        == (&other.links, &other.points, &other.pins, &other.slides)
+        && (&one.rolls, &one.contacts, &one.statements, &one.inputs)
+            == (&other.rolls, &other.contacts, &other.statements, &other.inputs)
 }
 
 /// How far the record had come before a trial.
@@ -302,7 +357,10 @@ impl<'m> Draughtsman<'m> {
     }
 
     fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
-        let mut root = self.find_root(trial)?;
+        let mut root = match self.searched {
+            Some(searched) => searched.root(self, trial)?,
+            None => self.find_root(trial)?,
+        };
         let slope = self.settle_root(trial, steps, &mut root);
         let links = self.links_of_trial(trial);
         let Some(&(driver, closing)) = trial.drivers.first() else {
@@ -646,6 +704,23 @@ impl<'m> Draughtsman<'m> {
                 return Err(DrawError::Missing(Missing::Place(self.contact_of(roll))));
             }
         })
+    }
+
+    /// What is solved so far, as numbers.
+    fn as_it_stands(&self) -> Stands {
+        let numbers = |points: &[Option<Point>]| points.iter().map(|at| at.map(|at| at.value())).collect();
+        let of_pose = |pose: Pose| {
+            let (own, along) = (pose.own_anchor.value(), pose.own_along.value());
+            [own, pose.anchor.value(), along, pose.along.value()]
+        };
+        Stands {
+            scale: self.scales.length(),
+            places: numbers(&self.places),
+            pricked: numbers(&self.pricked),
+            stated_hints: numbers(&self.stated_hints),
+            poses: self.poses.iter().map(|pose| pose.map(of_pose)).collect(),
+            tried: self.tried.clone(),
+        }
     }
 
     /// A scratch board with what is solved so far.
