@@ -62,7 +62,11 @@ pub(crate) fn parse(text: &str) -> Res<Document<'_>> {
         let before: usize =
             body.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
         let at = before + error.column().saturating_sub(1) + (text.len() - body.len());
-        syntax(at, &error)
+        let fault = syntax(at, &error);
+        match slip(text, at, &error.to_string()) {
+            Some(mend) => fault.mend(mend),
+            None => fault,
+        }
     })?;
     let mut source = Source { text, fault: None, values: 0 };
     let root = source.value(raw.get(), 0)?;
@@ -73,6 +77,27 @@ fn syntax(at: usize, error: &serde_json::Error) -> Fault {
     let message = error.to_string();
     let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what);
     Fault::new(at, format!("not JSON: {what}"))
+}
+
+/// How to mend what people write by habit where JSON is another language than theirs.
+fn slip(text: &str, at: usize, told: &str) -> Option<&'static str> {
+    let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at))?;
+    let (before, rest) = text.split_at(at);
+    let (last, here) = (before.trim_end().chars().last(), rest.trim_start());
+    let is_at = |signs: &[char]| here.starts_with(signs) || last.is_some_and(|last| signs.contains(&last));
+    if here.starts_with(['/', '#']) {
+        return Some("take the comment out: JSON has none");
+    }
+    if is_at(&['“', '”', '„', '«', '»', '‘', '’', '\'']) {
+        return Some("write straight double quotes: \"");
+    }
+    if here.starts_with([']', '}']) && last == Some(',') {
+        return Some("take out the comma before it");
+    }
+    if told.starts_with("key must be a string") && here.starts_with(|c: char| c.is_ascii_digit()) {
+        return Some("write a decimal point, no comma");
+    }
+    told.starts_with("expected `,` or").then_some("is a comma missing before it?")
 }
 
 struct Source<'a> {
@@ -368,6 +393,18 @@ mod tests {
             fault("{\n \"a\": 1,\n \"a\": 2}"),
             "f:3:2: a: `a` is given twice; help: keep one of the two"
         );
+        for (text, mend) in [
+            ("{ \"a\": 7,5 }", "write a decimal point, no comma"),
+            ("{ \"a\": [1, 2,] }", "take out the comma before it"),
+            ("{ \"a\": 1, }", "take out the comma before it"),
+            ("{ \"a\": 1 \"b\": 2 }", "is a comma missing before it?"),
+            ("{ // a crank\n \"a\": 1 }", "take the comment out: JSON has none"),
+            ("{ \"a\": “b” }", "write straight double quotes: \""),
+            ("{ 'a': 1 }", "write straight double quotes: \""),
+        ] {
+            let told = fault(text);
+            assert!(told.contains("not JSON") && told.ends_with(&format!("help: {mend}")), "{text}: {told}");
+        }
         assert!(fault(&"[".repeat(100_000)).contains("not JSON"));
         assert!(fault(&("[".repeat(200) + &"]".repeat(200))).contains("levels deep"));
         assert!(fault(&format!("[{}0]", "0,".repeat(MOST))).contains("10001 entries"));

@@ -327,7 +327,10 @@ impl Scale {
                 } else {
                     wrong(format!("{what}`{name}` is not a unit"))
                 };
-                fault.known(name, names())
+                match as_elsewhere(name, text) {
+                    Some(ours) => fault.mend(format!("write `{ours}`")),
+                    None => fault.known(name, names()),
+                }
             })?;
             for _ in 0..power {
                 let product = unit.combine(&base, inverse);
@@ -827,4 +830,15 @@ pub(crate) fn drawing_scale(value: &Value<'_>, measure: Measure, scales: &Scales
         return Ok(scale);
     }
     Err(Fault::new(value.at, format!("the scale `{text}` must be greater than zero")).mend(example))
+}
+/// What people write for a sense or a unit in other places.
+fn as_elsewhere(name: &str, whole: &str) -> Option<&'static str> {
+    let name = name.to_lowercase();
+    match name.rsplit(' ').next().unwrap_or(&name) {
+        "counterclockwise" | "anticlockwise" | "ccw" | "acw" => Some("ccw"),
+        "clockwise" | "cw" => Some("cw"),
+        "°" => Some("deg"),
+        "u" | "rot" | "turns" if whole.contains("min") => Some("rpm"),
+        _ => None,
+    }
 }
