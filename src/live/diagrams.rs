@@ -162,9 +162,16 @@ impl Diagrams {
             InputKind::Slide(_) | InputKind::Time => 360.0,
         };
         let glide = FRAC_1_SQRT_2 * whole / f64::from(FRAMES);
+        // The frame at which the page opens, or next to it.
+        let off = |at: &f64| {
+            let way = (at - sweep.start).abs();
+            if sweep.whole_turn { way.min(sweep.range[1] - sweep.range[0] - way) } else { way }
+        };
+        let nearest = frames.iter().enumerate().min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+        let own = nearest.map_or(0, |(frame, _)| frame);
         let refit = scene.sheet.live.refit.unwrap_or_else(|| drafted.iter().any(is_small));
         let place = |(index, (mut panel, spots)): (usize, (Panel, Vec<Spotted>))| {
-            place_names(&mut panel, index, spots, (&course, &start), (sweep.whole_turn, glide), refit);
+            place_names(&mut panel, index, spots, (&course, &start), (sweep.whole_turn, glide, own), refit);
             panel
         };
         let mut panels: Vec<Panel> = drafted.into_iter().enumerate().map(place).collect();
@@ -778,10 +785,20 @@ fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
             all = seen.into_iter().fold(all, |all, at| all.union_pt(at));
         }
     }
-    let ink = if panel.kind == DiagramKind::Skeleton { panel.ink.bounds().unwrap_or(all) } else { all };
+    let home = panel.seen(start);
+    let mut ink = all;
+    if panel.kind == DiagramKind::Skeleton {
+        ink = panel.ink.bounds().unwrap_or(all);
+        // Wheels and plates reach beyond the places of their links.
+        let body = |moving: &&Moving| matches!(moving.by, Move::Whole(_));
+        for seen in course.iter().map(|numbers| panel.seen(numbers)) {
+            let moved = panel.moving.iter().filter(body).filter_map(|moving| moving.moved(&home, &seen));
+            let near = |bounds: &Rect| bounds.width().max(bounds.height()) < most;
+            ink = moved.filter_map(|own| own.bounds()).filter(near).fold(ink, |all, own| all.union(own));
+        }
+    }
     let mut shown = all.union(ink).inflate(BORDER, BORDER);
     // As many of what a layer adds as find room, at the scene's own position.
-    let home = panel.seen(start);
     for at in home.places.iter().skip(count).flatten() {
         let grown = shown.union(Rect::from_center_size(*at, (2.0 * BORDER, 2.0 * BORDER)));
         if grown.width() <= LARGEST.0.max(shown.width()) && grown.height() <= LARGEST.1.max(shown.height()) {
@@ -1404,12 +1421,29 @@ fn names_of_polygon(polygon: &Diagram, labels: &[Label], panel: &Panel, names: &
     all
 }
 
+/// The part of a stroke within a rectangle; nothing where it runs past.
+fn part_within(shown: Rect, from: Point, to: Point) -> Option<(Point, Point)> {
+    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
+    let along = |way: f64, low: f64, high: f64, begin: &mut f64, end: &mut f64| {
+        if way == 0.0 {
+            return low <= 0.0 && high >= 0.0;
+        }
+        let (first, last) = if way > 0.0 { (low / way, high / way) } else { (high / way, low / way) };
+        (*begin, *end) = (begin.max(first), end.min(last));
+        begin < end
+    };
+    let way = to - from;
+    let is_seen = along(way.x, shown.x0 - from.x, shown.x1 - from.x, &mut begin, &mut end)
+        && along(way.y, shown.y0 - from.y, shown.y1 - from.y, &mut begin, &mut end);
+    is_seen.then(|| (from + way * begin, from + way * end))
+}
+
 fn place_names(
     panel: &mut Panel,
     index: usize,
     spots: Vec<Spotted>,
     (course, start): (&[Numbers], &Numbers),
-    (cyclic, glide): (bool, f64),
+    (cyclic, glide, own): (bool, f64, usize),
     refit: bool,
 ) {
     let home = panel.seen(start);
@@ -1430,11 +1464,11 @@ fn place_names(
                 anchors.iter().map(|(frame, own)| frame.global(*own, &seen)).collect();
             match points?[..] {
                 [at] => Some(Spot::Point(at)).filter(|_| panel.shown.contains(at)),
-                [from, to, ..]
-                    if panel.kind == DiagramKind::Skeleton || from.distance(to) >= SHORTEST_NAMED =>
-                {
-                    Some(Spot::Stroke(from, to))
-                }
+                [from, to, ..] if panel.kind == DiagramKind::Skeleton => Some(Spot::Stroke(from, to)),
+                // Next to a limit a vector is metres long: its name stands by what is seen of it.
+                [from, to, ..] => part_within(panel.shown, from, to)
+                    .filter(|(from, to)| from.distance(*to) >= SHORTEST_NAMED)
+                    .map(|(from, to)| Spot::Stroke(from, to)),
                 _ => None,
             }
         };
@@ -1442,7 +1476,7 @@ fn place_names(
     };
     let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
     let names: Vec<Name> = spots.iter().map(|own| own.name.clone()).collect();
-    let ways = moving::along(&names, &frames, cyclic, glide);
+    let ways = moving::along(&names, &frames, cyclic, glide, own);
     let mut labels = Group::new("labels");
     let mut placed = Vec::new();
     for (number, (spot, by)) in spots.into_iter().zip(ways).enumerate() {

@@ -109,6 +109,8 @@ const FACTOR: u32 = 8;
 /// The code of a number that is calculated from printed ones: its index and, where it is first told, factors, divisors, and how many
 /// figures more than usual it has elsewhere and at the scene's own position.
 const CALCULATED: u32 = 11;
+/// The code of a number that is the same everywhere: as it is printed at the scene's own position, and elsewhere.
+const ONE_NUMBER: u32 = 12;
 
 /// What is no point on paper is a millimetre long and read to half a tenth: so far off is what follows from it.
 const AS_READ: f64 = 0.05;
@@ -138,6 +140,25 @@ fn value_of(text: &str) -> Option<f64> {
         .replace('−', "-")
         .parse()
         .ok()
+}
+
+/// A number that is the same in every position and is printed with more figures in some, as lines need them: as it is printed
+/// at the scene's own position, and with the most of them.
+fn one_number(printed: &[&str], has_own: bool) -> Option<Value> {
+    let figures = |text: &str| {
+        text.chars().filter(char::is_ascii_digit).collect::<String>().trim_start_matches('0').len()
+    };
+    let longest = *printed.iter().max_by_key(|text| figures(text))?;
+    let value = value_of(longest)?;
+    let is_rounded = |text: &&str| {
+        let digits = figures(text).max(1);
+        let to = format!("{value:.*e}", digits - 1).parse::<f64>().ok();
+        to.zip(value_of(text)).is_some_and(|(to, own)| (to - own).abs() <= 1e-9 * own.abs())
+    };
+    if !printed.iter().all(is_rounded) {
+        return None;
+    }
+    Some(json!([ONE_NUMBER, if has_own { printed[0] } else { longest }, longest]))
 }
 
 /// What a line comes to as it is printed, with so many figures more than usual: one more where it lies half way between two
@@ -522,22 +543,16 @@ impl Printed {
                         pieces.push(json!([AMOUNT]));
                         continue;
                     }
-                    // A number stands everywhere as it was told; and what follows from a calculated one in its line is
-                    // calculated from it as it is printed: so the line closes.
-                    let follows = pieces.iter().any(|piece| piece.get(0) == Some(&json!(CALCULATED)));
+                    // A number stands everywhere as it was told; and what a line calculates is calculated from the numbers
+                    // before it as they are printed: so the line closes.
                     let is_everywhere = at.len() == tokens.len();
                     let known = told.told(&same, &at);
-                    let known = known.or_else(|| {
-                        if follows && is_everywhere { self.calculated(&all, &pieces, told) } else { None }
-                    });
+                    let known = known
+                        .or_else(|| if is_everywhere { self.calculated(&all, &pieces, told) } else { None });
                     let bound = known
                         .map(|piece| (piece, None))
-                        .or_else(|| self.bound(&same, &at, false, &told.read));
-                    let bound = bound.or_else(|| {
-                        let piece =
-                            if is_everywhere { self.calculated(&all, &pieces, told)? } else { return None };
-                        Some((piece, None))
-                    });
+                        .or_else(|| self.bound(&same, &at, false, &told.read))
+                        .or_else(|| Some((one_number(&same, at.first() == Some(&0))?, None)));
                     let Some((piece, on)) = bound else { return own() };
                     turns.splice(0..0, self.turning(&same, &at, AS_READ));
                     if let Some(on) = on {
@@ -555,8 +570,13 @@ impl Printed {
                             })
                         })
                     };
+                    // Which way a stated angle turns is the same everywhere.
+                    let of_angle = |piece: &Value| piece.as_str().is_some_and(|text| text.starts_with('°'));
                     match turns.iter().copied().find(follows) {
                         Some(output) => pieces.push(json!([6, output])),
+                        None if constant && pieces.last().is_some_and(of_angle) => {
+                            pieces.push(json!(same[0]))
+                        }
                         None => return own(),
                     }
                 }

@@ -624,6 +624,10 @@ pub struct Frame {
 
 /// A change of place by a millimetre costs so much, and by more its square.
 const CHANGE: f64 = 1.2;
+/// So far from the middle of a stroke a name may stand, mm: from farther off it would glide for half of the course.
+const MOST_ASIDE: f64 = 12.0;
+/// What disturbs at the position at which a page opens counts so many times.
+const AT_HOME: f64 = 6.0;
 /// However far a name moves, no more.
 const MOST_CHANGE: f64 = 60.0;
 /// A name that would be taken for that of another point costs so much; points nearer to each other than this are one, mm.
@@ -635,9 +639,10 @@ const PASSES: usize = 3;
 /// Where names stand along a course: for each name and frame how far its middle is from its anchor. Each name takes the
 /// sequence of places that costs least over the course, a change of place among the costs; name after name, given the
 /// others. `cyclic` where the last frame comes before the first; `glide`: a name goes no further from frame to frame along
-/// either axis, mm.
+/// either axis, mm. In the frame `own`, at which a page opens, they stand where they are best, and at rest.
 #[must_use]
-pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64) -> Vec<Vec<Vec2>> {
+pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, own: usize) -> Vec<Vec<Vec2>> {
+    let home = own;
     let ink: Vec<Obstacles> = frames.iter().map(|frame| Obstacles::of(&frame.ink)).collect();
     let halves: Vec<Vec2> = names.iter().map(Name::half).collect();
     // The ink does not change from pass to pass.
@@ -682,19 +687,26 @@ pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64) -> Vec<
                     Some((at + priced[m][frame][place].0, halves[m]))
                 });
                 let others: f64 = others.map(|(other, half)| beside(at - other, halves[n] + half)).sum();
-                own + others + astray(n, frame, at)
+                (own + others + astray(n, frame, at)) * if frame == home { AT_HOME } else { 1.0 }
             };
             chosen[n] = least(&priced[n], cost, cyclic);
         }
     }
-    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic, glide)).collect()
+    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic, glide, home)).collect()
 }
 
 /// The way of a name through its places: before and after a change it glides, along either axis by no more than `glide`
-/// from frame to frame. Where there is no name it stays, or is on its way to where it comes back.
-fn gliding(priced: &[Vec<(Vec2, f64)>], chosen: &[Option<usize>], cyclic: bool, glide: f64) -> Vec<Vec2> {
+/// from frame to frame. Where there is no name it stays, or is on its way to where it comes back. In the frame `home` it is not
+/// on its way: it leaves its place there late enough, and is back early enough.
+fn gliding(
+    priced: &[Vec<(Vec2, f64)>],
+    chosen: &[Option<usize>],
+    cyclic: bool,
+    glide: f64,
+    home: usize,
+) -> Vec<Vec2> {
     let mut last = Vec2::ZERO;
-    let places: Vec<Vec2> = chosen
+    let mut places: Vec<Vec2> = chosen
         .iter()
         .zip(priced)
         .map(|(place, places)| {
@@ -702,17 +714,28 @@ fn gliding(priced: &[Vec<(Vec2, f64)>], chosen: &[Option<usize>], cyclic: bool, 
             last
         })
         .collect();
+    if let Some(at_home) = places.get(home).copied() {
+        let count = places.len();
+        for (frame, place) in places.iter_mut().enumerate() {
+            let reach = glide * frames_apart(frame, home, count, cyclic);
+            place.x = place.x.clamp(at_home.x - reach, at_home.x + reach);
+            place.y = place.y.clamp(at_home.y - reach, at_home.y + reach);
+        }
+    }
     // A single change becomes a slope of half the bound; what is faster after that is slowed down once more.
     slowed(&slowed(&places, cyclic, 2.0 * glide), cyclic, glide)
+}
+
+/// How many frames lie between two, the shorter way round a cyclic course.
+fn frames_apart(one: usize, other: usize, count: usize, cyclic: bool) -> f64 {
+    let frames = one.abs_diff(other);
+    (if cyclic { frames.min(count - frames) } else { frames }) as f64
 }
 
 /// Halfway between the lowest and the highest of the ways that go no further than `most` from frame to frame and meet `way`.
 fn slowed(way: &[Vec2], cyclic: bool, most: f64) -> Vec<Vec2> {
     let count = way.len();
-    let apart = |f: usize, g: usize| {
-        let frames = f.abs_diff(g);
-        (if cyclic { frames.min(count - frames) } else { frames }) as f64
-    };
+    let apart = |f: usize, g: usize| frames_apart(f, g, count, cyclic);
     let axis = |f: usize, of: fn(Vec2) -> f64| {
         let low = (0..count).map(|g| of(way[g]) + most * apart(f, g)).fold(f64::INFINITY, f64::min);
         let high = (0..count).map(|g| of(way[g]) - most * apart(f, g)).fold(f64::NEG_INFINITY, f64::max);
@@ -767,7 +790,8 @@ fn places(name: &Name, half: Vec2, spot: Spot) -> Vec<(Vec2, f64)> {
             for (i, t) in [0.0, -0.12, 0.12, -0.25, 0.25].into_iter().enumerate() {
                 for side in [1.0, -1.0] {
                     for (ring, gap) in [0.9, 2.4].into_iter().enumerate() {
-                        let by = d * t + normal * (side * (reach + gap));
+                        let aside = (t * length).clamp(-MOST_ASIDE, MOST_ASIDE);
+                        let by = d * (aside / length) + normal * (side * (reach + gap));
                         all.push((by, 0.8 * i as f64 + 3.0 * ring as f64));
                     }
                 }

@@ -51,9 +51,15 @@ class Track {
       const way = Math.abs(end - wish), turn = this.to - this.from;
       return this.whole ? Math.min(way, turn - way) : way;
     };
-    return { at: off(region.from) < off(region.to) ? region.from : region.to, stopped: true };
+    // Where the course goes on round the turn, its seam is no end.
+    const next = !this.round || region.apart ? region : region.from === this.from ? this.regions.at(-1) || region : region.to === this.to ? this.regions[0] : region;
+    const ends = [region, next].flatMap(({ from, to }) => [from, to]).filter((end) => next === region || (end !== this.from && end !== this.to));
+    return { at: ends.reduce((best, end) => (off(end) < off(best) ? end : best)), stopped: true };
   }
 }
+
+/** A point that is led is where it is wanted, mm. */
+const NEAR = 0.05;
 
 /** Leads a point of a frame as near to a point as the course allows, by at most so much of the input. */
 function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @type {Panel} */ panel, /** @type {any} */ spot,
@@ -91,5 +97,7 @@ function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @ty
       step /= 2.5;
     }
   }
-  return track.go(at, by);
+  // At a limit whoever wants further is stopped there, as he was when he came.
+  const found = track.go(at, by);
+  return best > NEAR && [-1, 1].some((way) => track.go(found.at, way * most * 1e-5).stopped) ? { ...found, stopped: true } : found;
 }

@@ -11,8 +11,10 @@ function moves(/** @type {Page} */ page, /** @type {Panel} */ panel, /** @type {
   return seen.some((p) => sizeOf(minus(p, seen[0])) > 1e-6);
 }
 
-/** So near to a limit the hand has come back to it, mm. */
+/** So near to where it left a limit the hand has come back to it, mm. */
 const BACK = 12;
+/** A hand may go far between two of its places: so many parts of its way are looked at. */
+const PARTS = 8;
 
 /** How far a point is from a stroke. */
 function offStroke(/** @type {any} */ point, /** @type {any} */ from, /** @type {any} */ to) {
@@ -55,12 +57,15 @@ function handLeads(page, halt) {
       const at = event.pointerId === held.pointer && spotOf(svg, event);
       if (!at) return;
       page.dragged = true;
-      // Beyond a limit nothing moves until the hand has come back to it.
-      const limit = globalOf(held.spot[0], held.spot[1], skeleton.now), last = held.beyond.at(-1);
-      if (last && limit && offStroke(limit, last, at) > BACK) {
-        held.beyond.push(at);
-        page.queue();
-        return;
+      // Beyond a limit nothing moves until the hand has come back to where it left it.
+      const limit = globalOf(held.spot[0], held.spot[1], skeleton.now), [first] = held.beyond, last = held.beyond.at(-1);
+      if (first && limit) {
+        const parts = Array.from({ length: PARTS }, (_, part) => plus(last, minus(at, last), (part + 1) / PARTS));
+        if (parts.every((part) => offStroke(part, limit, first) > BACK)) {
+          held.beyond.push(at);
+          page.queue();
+          return;
+        }
       }
       const found = seekSpot(course, track, skeleton, held.spot, at, page.at, most);
       held.beyond = found.stopped ? [...held.beyond, at] : [];

@@ -100,6 +100,20 @@ function stroked(ink, path) {
   return true;
 }
 
+/** The part of a stroke within a box; nothing where it runs past. @param {any} from @param {any} to @param {number[]} box */
+function partWithin(from, to, [x0, y0, x1, y1]) {
+  const way = minus(to, from);
+  let begin = 0, end = 1;
+  for (const [length, low, high] of [[way.x, x0 - from.x, x1 - from.x], [way.y, y0 - from.y, y1 - from.y]]) {
+    if (length === 0 && (low > 0 || high < 0)) return null;
+    if (length !== 0) {
+      begin = Math.max(begin, Math.min(low / length, high / length));
+      end = Math.min(end, Math.max(low / length, high / length));
+    }
+  }
+  return begin < end ? [plus(from, way, begin), plus(from, way, end)] : null;
+}
+
 class Panel {
   /** @param {any} live @param {number} index */
   constructor(live, index) {
@@ -308,7 +322,9 @@ class Panel {
     this.crowded = 0;
     for (const label of this.labels) {
       const { anchors: [one, two], by, element, half: [wide, high] } = label;
-      const a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
+      let a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
+      // Next to a limit a vector is metres long: its name stands by what is seen of it.
+      if (two && polygon && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
       let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || Boolean(outputs[label.output]));
       if (shown) shown = two ? !polygon || sizeOf(minus(b, a)) >= 4 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
       label.spot = null;

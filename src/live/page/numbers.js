@@ -88,9 +88,9 @@ function readOff(mm, factor, result, wished) {
   return [text, raised(computed(amount(text), digits))];
 }
 
-/** An angle in degrees, one decimal at most; one that is stated with up to three has these. @param {number} radians */
+/** An angle in degrees, one decimal at most; one that is stated with up to five has these. @param {number} radians */
 function degrees(radians) {
-  const value = radians * (180 / Math.PI), decimals = Math.abs(Number(value.toFixed(3)) - value) <= 1e-9 ? 3 : 1;
+  const value = radians * (180 / Math.PI), decimals = Math.abs(Number(value.toFixed(5)) - value) <= 1e-11 ? 5 : 1;
   let text = fixed(value, decimals).replace(/\.?0+$/, '');
   if (text === '\u22120' || text === '\u2212180') text = text.slice(1);
   return `${text}°`;

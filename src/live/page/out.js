@@ -35,8 +35,12 @@ function drawings(page) {
     const own = group.querySelector('g');
     group.append(leaders(panel));
     if (own) having(own, { 'data-si-per-mm': String(panel.siPerMm), 'data-at': page.exact() });
-    all.append(group);
-    down += height;
+    // What it is, at which scale and where: polygons without a scale are none.
+    const said = ['title', 'scale'].map((id) => byId(`${id}${panel.index}`).textContent).filter(Boolean).join('  ');
+    const caption = makeInk('text', { x: '2', y: mm(down + height + 3), 'font-size': '3.5' });
+    setText(caption, `${said}${panel.data.polygon ? '' : `  ${page.inUnit(page.at)}`}`);
+    all.append(group, caption);
+    down += height + 6;
     across = Math.max(across, width);
   }
   having(all, { width: `${mm(across)}mm`, height: `${mm(down)}mm`, viewBox: `0 0 ${mm(across)} ${mm(down)}` });

@@ -2,7 +2,10 @@
 
 // A number of a text is `[form, output, SI units of its unit, figures more than usual, panel]`; between two places the output of the
 // other one stands last, and what a line calculates is `[form, its index, factors, divisors, figures more than usual, those at the start]`.
-const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9, BETWEEN = 10, CALCULATED = 11;
+const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9, BETWEEN = 10, CALCULATED = 11, ONE_NUMBER = 12;
+
+/** Away from the scene's own position, where the sheet tells how many figures lines need, what is read has so many more than usual. */
+const CARRIED = 1;
 
 /** The sentences of the steps; of one whose words hang on a length all that it may say. @param {any[]} steps */
 function sentencesOf(steps) {
@@ -54,6 +57,7 @@ function readings(page) {
   function numberHere(piece) {
     const [form, output, si, more, panel] = piece;
     if (form === CALCULATED) return calculated(piece);
+    if (form === ONE_NUMBER) return page.isOwn ? output : si;
     const { course, outputs, panels } = page, one = outputs[output];
     if (form === INPUT) return stated(page.at / si);
     if (form === AMOUNT) return amount;
@@ -79,7 +83,7 @@ function readings(page) {
     // What is a point on paper is not read off it, nor laid off.
     if (!isWorded && isPoint(size / siPerMm)) return null;
     if (form === ON_PAPER) return fixed(size / siPerMm, more);
-    const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, more);
+    const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, page.isOwn ? more : CARRIED);
     amount = by;
     return read;
   }
@@ -213,7 +217,9 @@ function showsSteps(page, light) {
       const said = textHere(one.text);
       if (said === null) left += 1;
       setRich(one.element, said === null ? '…' : said);
-      if (one.element.hidden !== (said === '')) one.element.hidden = said === '';
+      // An empty cell of a table keeps its column.
+      const gone = said === '' && one.element.tagName === 'LI';
+      if (one.element.hidden !== gone) one.element.hidden = gone;
     }
     setText(note, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
     for (const { quantity, value, sense } of values) {

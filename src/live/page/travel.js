@@ -49,7 +49,8 @@ function travels(page, halt) {
   /** To the next event on one side. @param {number} way */
   function nextEvent(way) {
     const places = course.events.map((/** @type {any} */ event) => event.at);
-    const beyond = places.filter((/** @type {number} */ at) => (way > 0 ? at > page.at : at < page.at));
+    // Two that fall on one place are one stop.
+    const beyond = places.filter((/** @type {number} */ at) => way * (at - page.at) > 1e-9 * page.span);
     const next = way > 0 ? Math.min(...beyond) : Math.max(...beyond);
     if (Number.isFinite(next)) wish(next);
   }
