@@ -392,7 +392,14 @@ impl Teller<'_> {
         let (unit, length) = (n.unit(Dimension::Acceleration), &asked.unit);
         let v_unit = n.unit(Dimension::Velocity);
         let factor = scale / unit.si;
-        let (reading, amount, written) = human::reading_at(normal / scale, factor, normal / unit.si, 0);
+        // Read with a figure more where the radius of curvature, which is told already, needs it.
+        let square = speed * speed / length.si;
+        let read = |more: usize| human::reading_at(normal / scale, factor, normal / unit.si, more);
+        let told = human::finer(value.abs() / length.si, 0).1;
+        let closes = |(_, _, written): &(Rich, Rich, f64)| {
+            human::agrees(square / (written * unit.si), told, value.abs() / length.si, 0)
+        };
+        let (reading, amount, written) = (0..=1).map(read).find(closes).unwrap_or_else(|| read(1));
         let reading = reading
             .up("\u{a0}×\u{a0}")
             .then(&human::stated(factor))

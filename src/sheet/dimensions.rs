@@ -104,7 +104,7 @@ impl Artist<'_> {
         let mut given = (0..mechanism.points.len()).map(PointId);
         let Some(first) = given.clone().find(|p| mechanism.is_fixed(*p)) else { return Vec::new() };
         let (Some(origin), Some(start)) = (exact(first), self.pose.place(first)) else { return Vec::new() };
-        // Each with its length and whether it is of a place that moves.
+        // Each with its length, positive to the right and up, and whether it is of a place that moves.
         let mut all: Vec<(bool, f64, Distance)> = Vec::new();
         let level = Vec2::new(1.0, 0.0);
         let upright = Vec2::new(0.0, 1.0);
@@ -112,9 +112,9 @@ impl Artist<'_> {
         for point in given.by_ref().filter(|p| *p != first) {
             let (Some(place), Some(at)) = (exact(point), self.pose.place(point)) else { continue };
             for (axis, along) in [(0, level), (1, upright)] {
-                let length = (place[axis] - origin[axis]).abs();
-                if self.pose.paper(length) > SHORTEST {
-                    let text = self.stated(length);
+                let length = place[axis] - origin[axis];
+                if self.pose.paper(length.abs()) > SHORTEST {
+                    let text = self.stated(length.abs());
                     let own = Distance { from: start, to: at, along, text, places: Some((point, axis)) };
                     all.push((!mechanism.is_fixed(point), length, own));
                 }
@@ -141,19 +141,19 @@ impl Artist<'_> {
             };
             let (Some(base), Some(rider)) = (base, self.pose.rider(slide)) else { continue };
             let left = if axis == 1 { cos * offset.value } else { -sin * offset.value };
-            let length = (base[axis] + left - origin[axis]).abs();
+            let length = base[axis] + left - origin[axis];
             let along = if axis == 0 { level } else { upright };
             // A point of the guide may have the dimension already.
             let same = |(_, other, own): &(bool, f64, Distance)| {
-                own.along == along && (other - length).abs() <= 1e-9 * length
+                own.along == along && (other - length).abs() <= 1e-9 * length.abs()
             };
-            if self.pose.paper(length) > SHORTEST && !all.iter().any(same) {
-                let text = self.stated(length);
+            if self.pose.paper(length.abs()) > SHORTEST && !all.iter().any(same) {
+                let text = self.stated(length.abs());
                 all.push((false, length, Distance { from: start, to: rider, along, text, places: None }));
             }
         }
         // The shorter ones stand nearer, so that no line crosses the extension of another.
-        all.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        all.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.abs().total_cmp(&b.1.abs())));
         all.into_iter().map(|(.., distance)| distance).collect()
     }
 

@@ -143,8 +143,18 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
 
 /// A stated length in the scene's unit, without the figures that only a calculation has.
 pub(super) fn stated_length(si: f64, notation: &Notation<'_>) -> Rich {
+    human::stated(stated_number(si, notation))
+}
+
+/// The number that then stands there.
+pub(super) fn stated_number(si: f64, notation: &Notation<'_>) -> f64 {
     let unit = notation.scene.units.length.si;
-    human::stated(human::rounded_to(si / unit, size(notation) / unit))
+    human::rounded_to(si / unit, size(notation) / unit)
+}
+
+/// The same with its unit.
+pub(super) fn stated_with_unit(si: f64, notation: &Notation<'_>) -> Rich {
+    human::with_unit(&stated_length(si, notation), &notation.scene.units.length.symbol)
 }
 
 /// The size of what is stated: its longest dimension, or how far its places lie apart, metres.

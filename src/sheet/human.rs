@@ -182,25 +182,23 @@ pub fn agrees(reckoned: f64, written: f64, result: f64, more: usize) -> bool {
     (least..1.0 - 1e-6).contains(&halves)
 }
 
-/// A stated number, as it is written where it is given; of a number that has more than five figures those of [`limited`].
+/// A stated number, as it is written where it is given; of one with more figures than anybody states those of [`limited`].
 pub fn given(value: f64, more: usize) -> (Rich, f64) {
-    let short: f64 = format!("{value:.*e}", MOST_FIGURES - 1).parse().unwrap_or(value);
-    if (short - value).abs() <= 1e-9 * value.abs() {
-        return (stated(value), short);
-    }
-    // What was calculated for the statement stands there with the four figures of a careful one.
-    let longer: f64 = format!("{value:.*e}", STATED_FIGURES - 1).parse().unwrap_or(value);
-    let is_stated = (longer - value).abs() <= 1e-9 * value.abs();
-    limited(value, if is_stated { more.max(READ_FIGURES.saturating_sub(usual_figures(value))) } else { more })
+    as_stated(value).map_or_else(|| limited(value, more), |number| (stated(value), number))
 }
 
-/// A stated number of more than five figures that was calculated, a crank of 70.7107 mm: what is lost is less than a
-/// ten-thousandth part of the size of what is stated.
+/// A number that has no more figures than somebody states, without the last bits that a change of units leaves.
+fn as_stated(value: f64) -> Option<f64> {
+    let short: f64 = format!("{value:.*e}", STATED_FIGURES - 1).parse().unwrap_or(value);
+    ((short - value).abs() <= 1e-13 * value.abs()).then_some(short)
+}
+
+/// A stated number that was calculated, a crank of 70.710678118 mm: what is lost is less than a ten-thousandth part of the
+/// size of what is stated. One that somebody wrote down stays as it is.
 pub fn rounded_to(value: f64, size: f64) -> f64 {
     /// Finer nobody draws.
     const PART: f64 = 1e-4;
-    let short: f64 = format!("{value:.*e}", MOST_FIGURES - 1).parse().unwrap_or(value);
-    if (short - value).abs() <= 1e-9 * value.abs() || size <= 0.0 || !size.is_finite() {
+    if as_stated(value).is_some() || size <= 0.0 || !size.is_finite() {
         return value;
     }
     let place = libm::exp10(libm::floor(libm::log10(2.0 * PART * size)));
@@ -226,14 +224,14 @@ pub fn factor(value: f64) -> (Rich, f64) {
     (figures(value, 5, true), written)
 }
 
-/// A stated number: as many of its figures as it needs, at most six.
+/// A stated number: all of its figures; of one that was calculated six at most.
 #[must_use]
 pub fn stated(value: f64) -> Rich {
-    figures(value, STATED_FIGURES, true)
+    figures(value, if as_stated(value).is_some() { STATED_FIGURES } else { 6 }, true)
 }
 
-/// More figures nobody states.
-const STATED_FIGURES: usize = 6;
+/// More figures nobody states: tenths of a micrometre of metres, 12 11/16 in and finer.
+const STATED_FIGURES: usize = 8;
 
 /// A stated coordinate beside another: a small one has its decimals, and no power of ten, where the other has none.
 #[must_use]
@@ -264,10 +262,10 @@ pub fn millimetres(value: f64) -> Rich {
 #[must_use]
 pub fn degrees(radians: f64) -> Rich {
     /// Nobody states an angle more finely.
-    const STATED: usize = 3;
+    const STATED: usize = 5;
     let value = radians.to_degrees();
     let stated: f64 = format!("{value:.STATED$}").parse().unwrap_or(value);
-    let text = if (stated - value).abs() <= 1e-9 { fixed(value, STATED) } else { fixed(value, 1) };
+    let text = if (stated - value).abs() <= 1e-11 { fixed(value, STATED) } else { fixed(value, 1) };
     let text = text.trim_end_matches('0').trim_end_matches('.');
     let text = if ["−0", "−180"].contains(&text) { &text["−".len()..] } else { text };
     Rich::upright(text).up("°")
@@ -423,11 +421,16 @@ mod tests {
         assert_eq!(plain(&stated_beside(0.1916, -0.0004)), "0.1916");
         assert_eq!(plain(&stated_beside(0.0, 5.0)), "0");
         assert_eq!(plain(&stated_beside(-0.0004, 0.0)), "−0.0004");
-        assert_eq!(plain(&stated(rounded_to(70.7107, 100.0))), "70.71");
-        assert_eq!(plain(&stated(rounded_to(134.853, 400.0))), "134.85");
-        assert_eq!(plain(&stated(rounded_to(0.134_853, 0.4))), "0.13485");
+        assert_eq!(plain(&stated(rounded_to(5000.0_f64.sqrt(), 100.0))), "70.71");
+        assert_eq!(plain(&stated(rounded_to(18_185.0_f64.sqrt(), 400.0))), "134.85");
+        // What somebody wrote down stays as it is: sixteenths of an inch, tenths of a micrometre.
+        assert_eq!(plain(&stated(rounded_to(12.6875 * 0.0254 / 0.0254, 20.0))), "12.6875");
+        assert_eq!(plain(&stated(rounded_to(0.130_987_65 / 1e-3, 400.0))), "130.98765");
+        assert_eq!(plain(&given(1401.25 * 1e-3 / 1e-3, 0).0), "1401.25");
+        assert_eq!(plain(&degrees(38.0475_f64.to_radians())), "38.0475°");
+        assert_eq!(plain(&degrees(12.345_67_f64.to_radians())), "12.34567°");
         assert_eq!(plain(&stated(rounded_to(1234.5, 2000.0))), "1234.5");
-        assert_eq!(plain(&given(70.7107, 0).0), "70.71");
+        assert_eq!(plain(&given(5000.0_f64.sqrt(), 0).0), "70.7");
         assert_eq!(plain(&stated_beside(2.5e-8, 3e-8)), "2.5\u{a0}×\u{a0}10−8");
         assert_eq!(plain(&stated_beside(1.2345e-7, 0.5)), "1.2345\u{a0}×\u{a0}10−7");
     }

@@ -221,8 +221,14 @@ impl<'a> Notation<'a> {
                 n(book.normal, format!("{}{}", self.under(p, a), self.under(p, b)))
             }
             Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
-            Quantity::Rub(p, ..) => {
-                Rich::italic(book.velocity).sub(&format!("{},{}", self.words.rubbing_mark, self.index(p)))
+            Quantity::Rub(p, i, j) => {
+                let pin = format!("{},{}", self.words.rubbing_mark, self.index(p));
+                // At a pin of more links than two, of which.
+                let links =
+                    self.mechanism().moving().filter(|l| self.mechanism().link(*l).points.contains(&p));
+                let pair = format!("({}/{})", self.number(i), self.number(j));
+                let told = if links.count() > 2 { pin + &pair } else { pin };
+                Rich::italic(book.velocity).sub(&told)
             }
             Quantity::PathRadius(p) => Rich::italic("ρ").sub(self.point_name(p)),
             Quantity::Position(p) => self.point(p),

@@ -232,6 +232,19 @@ impl Figures {
         *own = (*own).max(more);
     }
 
+    /// Asks for one more figure of what is laid off, where as it is printed it is so far off what is drawn, and later read,
+    /// that a ruler shows it. Where the line that tells it has not come to it yet, that line asks for more itself.
+    pub(super) fn want_on_paper(&mut self, key: Key, si_per_mm: f64) {
+        /// Half of a tenth of a millimetre.
+        const SEEN: f64 = 0.05;
+        let Some(print) = self.printed.get(&key) else { return };
+        let is_its_own = human::limited(print.exact, self.more(key)).1 == print.number;
+        let off = (print.number - print.exact).abs() * print.unit.si / si_per_mm;
+        if is_its_own && off > SEEN {
+            self.want(key);
+        }
+    }
+
     /// A number that is another one, too: it stands there as that does.
     pub(super) fn alias(&mut self, key: Key, of: Key) {
         if let Some(more) = self.finer.get(&key).copied() {

@@ -712,7 +712,7 @@ impl Teller<'_> {
         let diagram = self.step.diagram;
         let length_unit = &n.scene.units.length;
         let per_mm = self.construction.space.metres_per_mm;
-        let metres = |si: f64| human::quantity(si, length_unit);
+        let metres = |ends: [PointId; 2], si: f64| self.length_as_told(ends, si);
         let image = |label| n.image(label, diagram);
         let sentence = match act {
             Act::MarkPlaces => {
@@ -801,7 +801,7 @@ impl Teller<'_> {
                     ("from", n.point(*from)),
                     ("to", n.point(*to)),
                     ("length", n.length(*from, *to)),
-                    ("value", metres(*length)),
+                    ("value", metres([*from, *to], *length)),
                     ("mm", human::millimetres(length / per_mm)),
                     ("angle", human::degrees(self.as_given(*angle))),
                 ],
@@ -812,7 +812,7 @@ impl Teller<'_> {
                 &[
                     ("from", n.point(*base)),
                     ("length", n.length(*from, *to)),
-                    ("value", metres(*length)),
+                    ("value", metres([*from, *to], *length)),
                     ("mm", human::millimetres(length / per_mm)),
                     ("angle", human::degrees(*angle)),
                 ],
@@ -821,13 +821,15 @@ impl Teller<'_> {
                 words.strike_arc_there,
                 &[
                     ("length", n.length(*centre, *pin)),
-                    ("value", metres(*radius)),
+                    ("value", metres([*centre, *pin], *radius)),
                     ("mm", human::millimetres(radius / per_mm)),
                     ("point", n.point(*point)),
                 ],
             ),
             Act::DrawGuide { slide } => match self.slot_about(*slide) {
-                Some((pin, centre, radius)) => self.arc_about([pin, centre], radius),
+                Some((pin, centre, radius)) => {
+                    self.arc_told([pin, centre], radius, super::given::stated_with_unit(radius, n))
+                }
                 None => self.arc_to_its_centre(*slide).unwrap_or_else(|| self.draw_track(*slide)),
             },
             Act::LayOffAlong { slide, point, length } => {
@@ -914,6 +916,7 @@ impl Teller<'_> {
                 let printed = self.figures.borrow().print_of(self.key(vector)).map(Print::si);
                 let told = printed.map(|si| si / scale).filter(|told| (told - mm).abs() <= 0.01 * mm.abs());
                 let shown = told.unwrap_or(*mm);
+                self.figures.borrow_mut().want_on_paper(self.key(vector), scale);
                 let parts = [
                     ("vector", self.name(vector)),
                     ("image", n.image_line(vector.tail, vector.head, diagram)),
@@ -1062,17 +1065,32 @@ impl Teller<'_> {
         Some(line.then(&value))
     }
 
-    fn arc_about(&self, [centre, to]: [PointId; 2], radius: f64) -> Rich {
+    /// A length that is laid off: as it is stated, or as it is read off what stands.
+    fn length_as_told(&self, ends: [PointId; 2], si: f64) -> Rich {
         let n = self.notation;
-        Rich::fill(
-            n.words.strike_arc,
-            &[
-                ("centre", n.point(centre)),
-                ("length", n.length(centre, to)),
-                ("value", human::quantity(radius, &n.scene.units.length)),
-                ("mm", human::millimetres(radius / self.construction.space.metres_per_mm)),
-            ],
-        )
+        let is_it = |own: StatedLength| {
+            [[own.from, own.to], [own.to, own.from]].contains(&ends)
+                && (own.length - si).abs() <= 1e-12 * si.abs()
+        };
+        let mechanism = n.mechanism();
+        let own = |link| super::given::dimensions(mechanism.link(link), n);
+        if mechanism.moving().flat_map(own).any(is_it) {
+            return super::given::stated_with_unit(si, n);
+        }
+        let unit = &n.scene.units.length;
+        human::with_unit(&human::given(si / unit.si, 0).0, &unit.symbol)
+    }
+
+    fn arc_about(&self, ends: [PointId; 2], radius: f64) -> Rich {
+        self.arc_told(ends, radius, self.length_as_told(ends, radius))
+    }
+
+    fn arc_told(&self, [centre, to]: [PointId; 2], radius: f64, value: Rich) -> Rich {
+        let n = self.notation;
+        let mm = human::millimetres(radius / self.construction.space.metres_per_mm);
+        let parts =
+            [("centre", n.point(centre)), ("length", n.length(centre, to)), ("value", value), ("mm", mm)];
+        Rich::fill(n.words.strike_arc, &parts)
     }
 
     /// The pin that stands already, the centre, and the radius of a curved slot about a joint of its link which this step
@@ -1114,7 +1132,7 @@ impl Teller<'_> {
         let parts = [
             ("centre", n.point(rider)),
             ("length", Rich::italic("R")),
-            ("value", human::quantity(radius.value, &n.scene.units.length)),
+            ("value", super::given::stated_with_unit(radius.value, n)),
             ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
         ];
         Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&Rich::upright(words.centre_on_arc)))
@@ -1235,7 +1253,7 @@ impl Teller<'_> {
         let parts = [
             ("centre", super::given::place_of(centre, n)),
             ("length", Rich::italic("R")),
-            ("value", human::quantity(radius.value, &n.scene.units.length)),
+            ("value", super::given::stated_with_unit(radius.value, n)),
             ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
         ];
         let own = Rich::fill(words.arc_is_guide, &[("guide", n.named_guide(index))]);
@@ -1268,7 +1286,7 @@ impl Teller<'_> {
         if offset.value != 0.0 {
             let radius = offset.value.abs();
             let mm = human::millimetres(radius / self.construction.space.metres_per_mm);
-            let value = human::quantity(radius, &n.scene.units.length);
+            let value = super::given::stated_with_unit(radius, n);
             let parts =
                 [("centre", n.point(base)), ("value", value), ("mm", mm), ("point", n.point(rider)), named];
             return (!self.finds(base)).then(|| Rich::fill(words.tangent_guide, &parts));
@@ -1360,7 +1378,7 @@ impl Teller<'_> {
         let number = ("link", Rich::upright(n.number(link)));
         let body = n.mechanism().link(link);
         let length = |d: StatedLength| {
-            let value = human::quantity(d.length, &n.scene.units.length);
+            let value = super::given::stated_with_unit(d.length, n);
             let paper = human::millimetres(d.length / per_mm);
             n.length(d.from, d.to).up("\u{a0}=\u{a0}").then(&value).up("\u{a0}(").then(&paper).up(")")
         };
@@ -1739,7 +1757,8 @@ impl Teller<'_> {
                 ruled(formula, rule(link, slip, omega, speed))
             }
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => {
-                let (size, own) = human::given(radius / length.si, 0);
+                let size = super::given::stated_length(*radius, n);
+                let own = super::given::stated_number(*radius, n);
                 let slip = absolute(*slip, n);
                 let factors = [of(slip, *speed, &v)];
                 let ([read], result) = close_one(factors, of(*quantity, *value, &a), &|[x]| x * x / own);
