@@ -44,6 +44,8 @@ const ROOMS: f64 = 4.0;
 /// from the hints.
 const ENOUGH_STARTS: usize = 16;
 const ENOUGH_TIMES: usize = 5;
+/// Every third start is as far from the hints as this, in mechanism sizes, the others to one or two thirds beyond.
+const FAREST_START: f64 = 1.5;
 /// Newton's own steps at the end.
 const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
@@ -615,8 +617,11 @@ impl<'a> Assembler<'a> {
                 };
             }
             let (sin, cos) = libm::sincos(pose[3 * body + 2]);
+            // The joint nearest to the origin of the body: its angle may be found later.
+            let arm = |hint: &&([f64; 2], [f64; 2])| libm::hypot(hint.0[0], hint.0[1]);
+            let nearest = hints.iter().min_by(|a, b| arm(a).total_cmp(&arm(b)));
             for axis in [0, 1].into_iter().filter(|axis| mine(*axis)) {
-                let base = hints.first().map_or(0.0, |(own, at)| {
+                let base = nearest.map_or(0.0, |(own, at)| {
                     at[axis]
                         - if axis == 0 { cos * own[0] - sin * own[1] } else { sin * own[0] + cos * own[1] }
                 });
@@ -624,7 +629,8 @@ impl<'a> Assembler<'a> {
                     0.0
                 } else {
                     k += 1;
-                    1.5 * (spread(k - 1) - 0.5)
+                    // Near and far by turns.
+                    FAREST_START * (1 + start % 3) as f64 * (spread(k - 1) - 0.5)
                 };
                 pose[3 * body + axis] = base + shift;
             }

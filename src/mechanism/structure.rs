@@ -110,11 +110,12 @@ pub enum Closing {
         /// Its other end.
         far: PointId,
     },
-    /// A pin on a guide.
+    /// A pin on a guide; or a link that slides without turning, whose turning is known without that: its first joint is to
+    /// lie on the guide.
     Slide {
         /// Index into [`Mechanism::slides`].
         slide: usize,
-        /// The pin.
+        /// The pin, or the riding link's first joint.
         pin: PointId,
     },
     /// A link whose angle is given.
@@ -436,6 +437,7 @@ impl Structure {
             }
             let way = Trial::ways(mechanism, &held, group).next();
             let way = way.or_else(|| Trial::further_ways(mechanism, &held, group).next());
+            let way = way.or_else(|| Trial::ways_by_rides(mechanism, &held, group).next());
             if let Some(trial) = way {
                 structure.groups[index].kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -548,7 +550,8 @@ impl Structure {
         let Some(group) = self.groups.iter().find(|group| group.kind == kind) else { return Vec::new() };
         let held = self.contacts();
         let further = Trial::further_ways(mechanism, &held, group).take(most);
-        Trial::ways(mechanism, &held, group).take(most).chain(further).collect()
+        let by_rides = Trial::ways_by_rides(mechanism, &held, group).take(most);
+        Trial::ways(mechanism, &held, group).take(most).chain(further).chain(by_rides).collect()
     }
 
     /// The ways in which a group of higher class can be tried where it stands and those of [`Structure::ways_to_try`] tell
@@ -1369,14 +1372,41 @@ impl Trial {
                 ways.extend(drivers.iter().map(|&(driver, _)| vec![(driver, closing)]));
             }
         }
-        ways.into_iter().filter_map(|drivers| {
-            let turning = Turning::of(mechanism, group, &drivers);
-            if turning.links.is_empty() {
-                return None;
-            }
-            let groups = subgroups(mechanism, held, group, &drivers, &turning)?;
-            Some(Self { drivers, groups })
-        })
+        ways.into_iter().filter_map(|drivers| Self::knowing_turning(mechanism, held, group, drivers))
+    }
+
+    /// The ways in which a ride is left open: two links are known to turn as one, and the one is off the other's guide. They
+    /// come last, for a pin or a rod is easier to see.
+    fn ways_by_rides<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
+        let drivers = Self::drivers(mechanism, group);
+        rides_of(mechanism, group)
+            .filter_map(|(slide, [rider, _])| {
+                let pin = mechanism.link(rider).points.first().copied()?;
+                Some(Closing::Slide { slide, pin })
+            })
+            .flat_map(move |closing| {
+                drivers.clone().into_iter().map(move |(driver, _)| vec![(driver, closing)])
+            })
+            .filter_map(|drivers| Self::knowing_turning(mechanism, held, group, drivers))
+    }
+
+    /// The way with these drivers, where links of the group turn with one whose turning is known.
+    fn knowing_turning(
+        mechanism: &Mechanism,
+        held: &[usize],
+        group: &Group,
+        drivers: Vec<(TrialDriver, Closing)>,
+    ) -> Option<Self> {
+        let turning = Turning::of(mechanism, group, &drivers);
+        if turning.links.is_empty() {
+            return None;
+        }
+        let groups = subgroups(mechanism, held, group, &drivers, &turning)?;
+        Some(Self { drivers, groups })
     }
 
     /// The ways that are tried after all others.
