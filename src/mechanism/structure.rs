@@ -852,6 +852,21 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     {
         return GroupKind::RidingCentre { link, ride, wheel, centre, roll };
     }
+    if let ([], [], [], &[centre]) = (rolls.as_slice(), rods.as_slice(), turned.as_slice(), points)
+        && !held.is_empty()
+        && moved.is_empty()
+    {
+        let contacts = held.iter().filter_map(|&roll| {
+            let wheel = wheel_about(&mechanism.rolls[roll], centre)?;
+            Some(Hold::Contact { roll, wheel })
+        });
+        let rides = |slide: usize| matches!(mechanism.slides[slide].rider, Rider::Pin { point, .. } if point == centre);
+        let guides = slides.iter().filter(|&&slide| rides(slide)).map(|&slide| Hold::Slide(slide));
+        return match contacts.chain(guides).collect::<Vec<Hold>>().as_slice() {
+            &[first, second] => GroupKind::HeldCentre { centre, holds: [first, second] },
+            _ => GroupKind::Other,
+        };
+    }
     if let (&[first, second], &[(arm, base)], [_, _], &[centre]) =
         (rolls.as_slice(), outer.as_slice(), rods.as_slice(), points)
         && held.is_empty()
@@ -1115,6 +1130,16 @@ fn carried_centre(mechanism: &Mechanism, link: LinkId, roll: usize) -> Option<(L
     match sides.into_iter().filter(carried).collect::<Vec<_>>().as_slice() {
         &[one] => Some(one),
         _ => None,
+    }
+}
+
+/// The wheel of a rolling pair whose circle has this centre.
+fn wheel_about(roll: &Roll, centre: PointId) -> Option<LinkId> {
+    match *roll {
+        Roll::Circles { links, centres, .. } => {
+            (0..2).find(|&side| centres[side] == centre).map(|side| links[side])
+        }
+        Roll::Line { wheel, centre: own, .. } => (own == centre).then_some(wheel),
     }
 }
 
@@ -1383,11 +1408,7 @@ impl Trial {
         group: &'a Group,
     ) -> impl Iterator<Item = Self> + 'a {
         let drivers = Self::drivers(mechanism, group);
-        rides_of(mechanism, group)
-            .filter_map(|(slide, [rider, _])| {
-                let pin = mechanism.link(rider).points.first().copied()?;
-                Some(Closing::Slide { slide, pin })
-            })
+        open_rides(mechanism, group)
             .flat_map(move |closing| {
                 drivers.clone().into_iter().map(move |(driver, _)| vec![(driver, closing)])
             })
@@ -1428,6 +1449,8 @@ impl Trial {
         let mut closings = closings(mechanism, group);
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
+        let rides: Vec<Closing> = open_rides(mechanism, group).take(TRIED_TOGETHER).collect();
+        closings.extend(rides.iter().map(|&ride| (ride, 3)));
         let is_driven = |sub: &Group| {
             matches!(
                 sub.kind,
@@ -1441,6 +1464,9 @@ impl Trial {
         let mut ways: Vec<Self> = by_twos(&drivers, &closings)
             .into_iter()
             .filter_map(|drivers| {
+                if drivers.iter().any(|(_, closing)| rides.contains(closing)) {
+                    return Self::knowing_turning(mechanism, held, group, drivers);
+                }
                 let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
                 Some(Self { drivers, groups })
             })
@@ -1547,6 +1573,14 @@ fn rides_of<'a>(
             _ => None,
         },
         _ => None,
+    })
+}
+
+/// The rides of a group as constraints that a trial leaves open.
+fn open_rides<'a>(mechanism: &'a Mechanism, group: &'a Group) -> impl Iterator<Item = Closing> + 'a {
+    rides_of(mechanism, group).filter_map(|(slide, [rider, _])| {
+        let pin = mechanism.link(rider).points.first().copied()?;
+        Some(Closing::Slide { slide, pin })
     })
 }
 
