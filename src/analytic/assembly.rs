@@ -142,13 +142,41 @@ struct Assembler<'a> {
 /// by what these leave open, and by `patience` times that where a long lever magnifies it.
 pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<Assembly, AnalyticError> {
     let pattern = model.pattern(&model.position, 0)?;
-    let ordering = model.order_of_position(&pattern);
+    let rows = model.position.len();
+    let found = assemble_by(model, (&pattern, (0..rows).collect()), coarsest, patience);
+    if !matches!(found, Err(AnalyticError::CannotAssemble { .. }))
+        || model.order_of_position(&pattern, &(0..rows).collect::<Vec<_>>()).spare.is_empty()
+    {
+        return found;
+    }
+    // Where places say more than is needed, which equations are kept is told by their form; those may say nothing where the
+    // mechanism stands, as the x of a pin at the end of a level link. Then others are kept.
+    let mut by_axis: Vec<usize> = (0..rows).collect();
+    by_axis.sort_by_key(|row| match model.position[*row] {
+        Row::Coincide(_, _, axis) => 2 - 2 * axis.min(1),
+        _ => 1,
+    });
+    [(0..rows).rev().collect(), by_axis]
+        .into_iter()
+        .map(|sequence| assemble_by(model, (&pattern, sequence), coarsest, patience))
+        .find(|other| matches!(other, Ok(_) | Err(AnalyticError::Ambiguous { .. })))
+        .unwrap_or(found)
+}
+
+/// The same, with equations kept in this sequence.
+fn assemble_by(
+    model: &Model,
+    (pattern, sequence): (&[Vec<usize>], Vec<usize>),
+    coarsest: f64,
+    patience: f64,
+) -> Result<Assembly, AnalyticError> {
+    let ordering = model.order_of_position(pattern, &sequence);
     let free: Vec<usize> =
         ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0 && model.kept[*b]).collect();
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
-    let mut assembler = Assembler::new(model, &ordering, &pattern, coarsest);
+    let mut assembler = Assembler::new(model, &ordering, pattern, coarsest);
     assembler.patience = patience;
     let pose = assembler.search(&ordering)?;
     let chosen: Vec<Vec<usize>> = (0..ordering.groups.len()).map(|at| assembler.choose(at, &pose)).collect();
