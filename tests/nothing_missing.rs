@@ -43,7 +43,7 @@ const RIGHT: &[(&str, &str, &str)] = &[
     ),
     (
         "analytic/assembly.rs",
-        "hints.first().map_or(0.0",
+        "nearest.map_or(0.0",
         "where an iteration starts decides nothing but where it may end",
     ),
     (

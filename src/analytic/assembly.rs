@@ -44,6 +44,8 @@ const ROOMS: f64 = 4.0;
 /// from the hints.
 const ENOUGH_STARTS: usize = 16;
 const ENOUGH_TIMES: usize = 5;
+/// Every third start is as far from the hints as this, in mechanism sizes, the others to one or two thirds beyond.
+const FAREST_START: f64 = 1.5;
 /// Newton's own steps at the end.
 const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
@@ -140,13 +142,41 @@ struct Assembler<'a> {
 /// by what these leave open, and by `patience` times that where a long lever magnifies it.
 pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<Assembly, AnalyticError> {
     let pattern = model.pattern(&model.position, 0)?;
-    let ordering = model.order_of_position(&pattern);
+    let rows = model.position.len();
+    let found = assemble_by(model, (&pattern, (0..rows).collect()), coarsest, patience);
+    if !matches!(found, Err(AnalyticError::CannotAssemble { .. }))
+        || model.order_of_position(&pattern, &(0..rows).collect::<Vec<_>>()).spare.is_empty()
+    {
+        return found;
+    }
+    // Where places say more than is needed, which equations are kept is told by their form; those may say nothing where the
+    // mechanism stands, as the x of a pin at the end of a level link. Then others are kept.
+    let mut by_axis: Vec<usize> = (0..rows).collect();
+    by_axis.sort_by_key(|row| match model.position[*row] {
+        Row::Coincide(_, _, axis) => 2 - 2 * axis.min(1),
+        _ => 1,
+    });
+    [(0..rows).rev().collect(), by_axis]
+        .into_iter()
+        .map(|sequence| assemble_by(model, (&pattern, sequence), coarsest, patience))
+        .find(|other| matches!(other, Ok(_) | Err(AnalyticError::Ambiguous { .. })))
+        .unwrap_or(found)
+}
+
+/// The same, with equations kept in this sequence.
+fn assemble_by(
+    model: &Model,
+    (pattern, sequence): (&[Vec<usize>], Vec<usize>),
+    coarsest: f64,
+    patience: f64,
+) -> Result<Assembly, AnalyticError> {
+    let ordering = model.order_of_position(pattern, &sequence);
     let free: Vec<usize> =
         ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0 && model.kept[*b]).collect();
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
-    let mut assembler = Assembler::new(model, &ordering, &pattern, coarsest);
+    let mut assembler = Assembler::new(model, &ordering, pattern, coarsest);
     assembler.patience = patience;
     let pose = assembler.search(&ordering)?;
     let chosen: Vec<Vec<usize>> = (0..ordering.groups.len()).map(|at| assembler.choose(at, &pose)).collect();
@@ -615,8 +645,11 @@ impl<'a> Assembler<'a> {
                 };
             }
             let (sin, cos) = libm::sincos(pose[3 * body + 2]);
+            // The joint nearest to the origin of the body: its angle may be found later.
+            let arm = |hint: &&([f64; 2], [f64; 2])| libm::hypot(hint.0[0], hint.0[1]);
+            let nearest = hints.iter().min_by(|a, b| arm(a).total_cmp(&arm(b)));
             for axis in [0, 1].into_iter().filter(|axis| mine(*axis)) {
-                let base = hints.first().map_or(0.0, |(own, at)| {
+                let base = nearest.map_or(0.0, |(own, at)| {
                     at[axis]
                         - if axis == 0 { cos * own[0] - sin * own[1] } else { sin * own[0] + cos * own[1] }
                 });
@@ -624,7 +657,8 @@ impl<'a> Assembler<'a> {
                     0.0
                 } else {
                     k += 1;
-                    1.5 * (spread(k - 1) - 0.5)
+                    // Near and far by turns.
+                    FAREST_START * (1 + start % 3) as f64 * (spread(k - 1) - 0.5)
                 };
                 pose[3 * body + axis] = base + shift;
             }

@@ -344,7 +344,8 @@ impl Figure<'_> {
         // Two lines that are one but for rounding meet somewhere, with a bound that says that it may be anywhere.
         let says_where = match &met {
             Ok(spot) => spot.error <= ROUNDING * self.size + stated.error,
-            Err(AnalyticError::Unplaced { .. }) => false,
+            // Curves that touch may by rounding cross twice about it.
+            Err(AnalyticError::Unplaced { .. } | AnalyticError::Ambiguous { .. }) => false,
             Err(_) => true,
         };
         if says_where {

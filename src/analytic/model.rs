@@ -192,7 +192,8 @@ impl Model {
         let n = self.unknowns();
         let position = self.pattern(&self.position, 0)?;
         let motion = if moves { self.pattern(&self.motion, 1)? } else { Vec::new() };
-        let orders = [(self.order_of_position(&position), &position), (order(&motion, n), &motion)];
+        let forward: Vec<usize> = (0..position.len()).collect();
+        let orders = [(self.order_of_position(&position, &forward), &position), (order(&motion, n), &motion)];
         let mut ready = vec![0; self.bodies];
         for (index, group) in orders[0].0.groups.iter().enumerate() {
             if !self.is_known(group) {
@@ -296,26 +297,34 @@ impl Model {
 
     /// The order in which the equations of the position are solved. Of more equations than unknowns those are left out
     /// that follow from the ones before them wherever the bodies are: two points of a link that both coincide with those
-    /// of another link say three things, not four, though four unknowns stand in them.
-    pub(super) fn order_of_position(&self, pattern: &[Vec<usize>]) -> Ordering {
+    /// of another link say three things, not four, though four unknowns stand in them. Those that come before others do so
+    /// in `sequence`.
+    pub(super) fn order_of_position(&self, pattern: &[Vec<usize>], sequence: &[usize]) -> Ordering {
         let n = self.unknowns();
-        let whole = order(pattern, n);
-        if whole.spare.is_empty() {
-            return whole;
+        let in_sequence: Vec<Vec<usize>> = sequence.iter().map(|row| pattern[*row].clone()).collect();
+        let whole = order(&in_sequence, n);
+        let mut chosen = if whole.spare.is_empty() {
+            whole
+        } else {
+            let independent = self.independent(sequence);
+            let masked: Vec<Vec<usize>> = in_sequence
+                .into_iter()
+                .zip(independent)
+                .map(|(columns, independent)| if independent { columns } else { Vec::new() })
+                .collect();
+            let some = order(&masked, n);
+            if some.free.len() > whole.free.len() { whole } else { some }
+        };
+        for rows in chosen.groups.iter_mut().map(|group| &mut group.rows).chain([&mut chosen.spare]) {
+            rows.iter_mut().for_each(|row| *row = sequence[*row]);
+            rows.sort_unstable();
         }
-        let independent = self.independent();
-        let masked: Vec<Vec<usize>> = pattern
-            .iter()
-            .zip(independent)
-            .map(|(columns, independent)| if independent { columns.clone() } else { Vec::new() })
-            .collect();
-        let some = order(&masked, n);
-        if some.free.len() > whole.free.len() { whole } else { some }
+        chosen
     }
 
     /// Which equations of the position do not follow from those before them, where the bodies stand anyhow: rank is
     /// greatest at a pose without meaning. By elimination with the largest slope left.
-    fn independent(&self) -> Vec<bool> {
+    fn independent(&self, sequence: &[usize]) -> Vec<bool> {
         let n = self.unknowns();
         let pose = anyhow(n, ANYHOW[1]);
         let mut pivots: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
@@ -351,7 +360,7 @@ impl Model {
             pivots.push((column, all.map(|(column, d)| (column, d / by)).collect()));
             true
         };
-        self.position.iter().map(&mut eliminate).collect()
+        sequence.iter().map(|row| eliminate(&self.position[*row])).collect()
     }
 
     /// Whether a group of the position is a coordinate that is zero by its form, wherever it stands among the others.

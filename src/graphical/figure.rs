@@ -16,7 +16,7 @@ use super::construction::{Act, ConstructionLine};
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 use super::pose::Track;
-use super::position::chooses;
+use super::position::{TOUCHES, chooses};
 use super::{DrawError, Unplaced};
 
 /// A stated place may differ from a given dimension or guide by this part of the mechanism's size.
@@ -127,8 +127,12 @@ impl Draughtsman<'_> {
             Standing::Stated | Standing::Hint | Standing::Driven => return Ok(stated),
             Standing::Onto(locus) => self.brought_onto(&locus, stated),
             Standing::AtMeet(loci) => match self.meet_loci(of, &loci, Some(stated.value()), false) {
-                // What holds the point besides only touches: along it the stated place tells where the point is.
-                Err(error @ DrawError::Unplaced { why: Unplaced::Touches | Unplaced::Apart, .. }) => {
+                // What holds the point besides only touches, or by rounding crosses twice about the stated place: along it
+                // that tells where the point is.
+                Err(
+                    error @ (DrawError::Unplaced { why: Unplaced::Touches | Unplaced::Apart, .. }
+                    | DrawError::Ambiguous { .. }),
+                ) => {
                     let on_first = self.brought_onto(&loci[0], stated);
                     let on_second = self.brought_onto(&loci[1], on_first);
                     self.is_at(of, on_second, on_first).map_err(|_| error)?;
@@ -230,6 +234,8 @@ impl Draughtsman<'_> {
                 (at, crossing)
             }
             Meets::Two(pair) if pair.tangent => return Err(touches),
+            // Of what holds a stated point besides, that is left to the stated place.
+            Meets::Two(pair) if !told && pair.crossing < TOUCHES => return Err(touches),
             Meets::Two(pair) => {
                 let sides = [Side::First, Side::Second];
                 let places = sides.map(|side| self.board.look(&pair, side));

@@ -93,7 +93,8 @@ impl Draughtsman<'_> {
         None
     }
 
-    /// Lays on a link of which one point stands, where its guide passes a rider that stands.
+    /// Lays on a link of which one point stands, where its guide passes a rider that stands, or a riding link of which any
+    /// point does.
     fn stands_by_guide(&mut self, link: LinkId) -> bool {
         let stands = |d: &Self, point: PointId| d.places[point.0].is_some();
         let points = self.mechanism.link(link).points.clone();
@@ -103,8 +104,15 @@ impl Draughtsman<'_> {
         }
         let rider = (0..self.mechanism.slides.len()).find_map(|slide| {
             let pair = self.mechanism.slides[slide];
-            let rider = self.joint_of_rider(slide).filter(|&rider| rider != base && stands(self, rider))?;
-            (pair.guide.link == link).then_some((slide, rider))
+            if pair.guide.link != link {
+                return None;
+            }
+            let further = match pair.rider {
+                Rider::Link { link: rod, turned: Some(_) } => self.mechanism.link(rod).points.as_slice(),
+                _ => &[],
+            };
+            let mut riders = self.joint_of_rider(slide).into_iter().chain(further.iter().copied());
+            riders.find(|&rider| rider != base && stands(self, rider)).map(|rider| (slide, rider))
         });
         let Some((slide, rider)) = rider else { return false };
         let nothing = GroupStep { group: 0, points: Vec::new() };

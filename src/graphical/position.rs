@@ -90,7 +90,7 @@ const HINT_FAR: f64 = 1e6;
 /// Nor can two whose distances differ by less than this on paper, millimetres: rounding does.
 const HINT_FLOOR: f64 = 1e-12;
 /// A guide and an arc that cross at a smaller angle only touch, as far as a direction is read from it, radians.
-const TOUCHES: f64 = 1e-4;
+pub(super) const TOUCHES: f64 = 1e-4;
 /// A guide is square to its link's x-axis where the cosine of their angle is no more than this.
 const SQUARE: f64 = 2e-6;
 
@@ -161,6 +161,7 @@ impl Draughtsman<'_> {
             GroupKind::RidingCentre { link, ride, wheel, centre, roll } => {
                 self.riding_centre(step, (link, ride), (wheel, centre), roll)?;
             }
+            GroupKind::HeldCentre { centre, holds } => self.held_centre(centre, holds)?,
             GroupKind::PinnedRack { link, base, wheel, centre, roll } => {
                 self.pinned_rack(step, (link, base), (wheel, centre), roll)?;
             }
@@ -399,6 +400,31 @@ impl Draughtsman<'_> {
             GuidePoint::Own(at) => at.iter().all(|c| *c == Given::exact(0.0)),
         };
         matches!(self.mechanism.link(link).form, Form::Single) && own && guide.link == link
+    }
+
+    /// Whether a link of one joint points towards the rider of its guide, where nothing but that says how it stands: a link
+    /// that turns with its rider has the angle of either end of its guide.
+    pub(super) fn faces_rider(&mut self, link: LinkId) -> bool {
+        let told = self.mechanism.inputs.iter().any(|input| {
+            matches!(*input, Input::Angle { link: driven, angle: Some(_), .. }
+                | Input::Speed { link: driven, angle: Some(_), .. } if driven == link)
+        });
+        let rides = self
+            .mechanism
+            .slides
+            .iter()
+            .any(|s| matches!(s.rider, Rider::Link { link: rider, .. } if rider == link));
+        let Some(slide) = self.swivels_by(link).filter(|_| !told && !rides) else { return true };
+        let base = self.mechanism.link(link).points.first().and_then(|p| self.places[p.0]);
+        let rider = self.joint_of_rider(slide).and_then(|rider| self.places[rider.0]);
+        let (Some(base), Some(rider)) = (base, rider) else { return true };
+        let [own, guide] = [self.own_track(slide, None), self.track(slide, None)];
+        let (Track::Straight(own), Track::Straight(guide)) = (own, guide) else { return true };
+        let ([x, y], [from_x, from_y]) = (rider.value(), base.value());
+        let [cos, sin] = guide.along.value();
+        let forward = (x - from_x) * cos + (y - from_y) * sin;
+        let onward = if own.along.value()[0] < -SQUARE { -1.0 } else { 1.0 };
+        forward * onward > -SQUARE * libm::hypot(x - from_x, y - from_y)
     }
 
     /// The pin that rides in a sliding pair, or the first joint of the link that does.
@@ -716,6 +742,71 @@ impl Draughtsman<'_> {
         }
         self.ride_along(step, ride, Some(link), centre);
         self.contact(wheel, roll);
+        Ok(())
+    }
+
+    /// A wheel's centre where two tracks of it meet: those on which contacts hold it, or a guide.
+    fn held_centre(&mut self, centre: PointId, holds: [Hold; 2]) -> Result<(), DrawError> {
+        self.board.purpose("centre held by contacts");
+        if self.prick_given(centre) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let [first, second] = holds.map(|hold| match hold {
+                Hold::Slide(slide) => {
+                    self.act(Act::DrawGuide { slide });
+                    vec![self.track(slide, Some(centre))]
+                }
+                Hold::Contact { roll, wheel } => {
+                    self.act(Act::DrawCentrePath { centre, roll });
+                    self.centre_tracks(roll, wheel)
+                }
+                Hold::Rod { .. } | Hold::Ram(_) => Vec::new(),
+            });
+            let links = self.mechanism.point(centre).links.clone();
+            let reason = self.reason(&links);
+            let mut places: Vec<(Point, f64)> = Vec::new();
+            for (one, other) in first.iter().flat_map(|&one| second.iter().map(move |&other| (one, other))) {
+                let met = match (one, other) {
+                    (Track::Straight(one), Track::Straight(other)) => {
+                        let meet = self.board.meet_lines(one, other, reason);
+                        places.push((meet.at, meet.crossing));
+                        continue;
+                    }
+                    (Track::Straight(line), Track::Arc(arc)) | (Track::Arc(arc), Track::Straight(line)) => {
+                        self.board.meet_line_circle(line, arc, reason)
+                    }
+                    (Track::Arc(one), Track::Arc(other)) => self.board.meet_circles(one, other, reason),
+                };
+                let Ok(pair) = met else { continue };
+                let sides = if pair.tangent { &[Side::First][..] } else { &[Side::First, Side::Second] };
+                places.extend(sides.iter().map(|&side| (self.board.take(pair, side), pair.crossing)));
+            }
+            let misses: Vec<Option<f64>> =
+                places.iter().map(|(at, _)| self.miss_of_hint(centre, at.value())).collect();
+            let least = |index: usize| misses[index].unwrap_or(f64::INFINITY);
+            let Some(best) = (0..places.len()).min_by(|&a, &b| least(a).total_cmp(&least(b))) else {
+                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
+            };
+            let per_mm = self.scales.length();
+            let rival = (0..places.len()).find(|&other| {
+                other != best && !(misses[best].is_some() && chooses(least(best), least(other), per_mm))
+            });
+            if let Some(rival) = rival {
+                let origin = self.origin_of_space().map(|g| g.value);
+                let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
+                let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
+                return Err(DrawError::Ambiguous { pin: centre, first, second });
+            }
+            self.chosen(best);
+            let (at, crossing) = places[best];
+            self.place(centre, at);
+            self.act(Act::MarkIntersection { point: centre, crossing });
+        }
+        for hold in holds {
+            if let Hold::Contact { roll, wheel } = hold {
+                self.contact(wheel, roll);
+            }
+        }
         Ok(())
     }
 
@@ -1447,7 +1538,22 @@ impl Draughtsman<'_> {
         }
         let track = self.riding_track(slide, rider, pin);
         let circle = self.circle(main[0], pin);
-        let pair = self.meet_track(track, circle, (rod, base), (slide, pin))?;
+        let met = self.meet_track(track, circle, (rod, base), (slide, pin));
+        // Where the arc only touches the guide, a further place tells better how the rod stands.
+        let points = self.mechanism.link(rod).points.clone();
+        let placed = points.into_iter().find(|&p| p != base && p != pin && self.given_place(p).is_some());
+        if let Some(far) = placed.filter(|_| touches(&met)) {
+            self.prick_given(far);
+            self.pose_by_points(rod, base, far);
+            let own = self.own(rod, pin);
+            let at = self.carried_point(rod, own);
+            self.place(pin, at);
+            self.act(Act::MarkPlaces);
+            self.transfer_points(step, &main, pin);
+            self.ride_along(step, slide, rider, pin);
+            return Ok(());
+        }
+        let pair = met?;
         self.act(Act::DrawGuide { slide });
         let radius = circle.radius.value() * self.scales.length();
         self.act(Act::StrikeArc { centre: base, to: pin, radius });
@@ -1539,7 +1645,8 @@ impl Draughtsman<'_> {
             Rider::Link { link: rod, turned: Some(_) } => {
                 let further = |p: &&PointId| **p != pin && !self.mechanism.is_fixed(**p);
                 let mut points = self.mechanism.link(rod).points.iter().filter(further);
-                let placed = points.any(|p| self.is_given(*p));
+                // A place that is a hint while the group is tried directs nothing.
+                let placed = points.any(|p| self.is_given(*p) && !self.tried.points.contains(p));
                 if placed && self.pose_of(rod).is_some() {
                     Some(self.ride_directions(slide, lever))
                 } else {

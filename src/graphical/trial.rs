@@ -52,6 +52,8 @@ const OF_LENGTHS: f64 = 1e-6;
 const TRIAL_VECTOR: f64 = 50.0;
 /// Assemblies that are searched for the place of a group, before other ways to try it are given up.
 const MOST_ASSEMBLIES: usize = 32;
+/// The same where none has led to a place yet.
+const MOST_WHERE_NONE: usize = 128;
 /// Ways in which a group is tried, at most.
 const MOST_WAYS: usize = 6;
 /// Ways to try it by two drivers, where it stands and no other tells how it moves, at most.
@@ -127,6 +129,12 @@ fn is_same_skeleton(one: &Mechanism, other: &Mechanism) -> bool {
         == (&other.links, &other.points, &other.pins, &other.slides)
         && (&one.rolls, &one.contacts, &one.statements, &one.inputs)
             == (&other.rolls, &other.contacts, &other.statements, &other.inputs)
+}
+
+/// Places and poses before a trial.
+struct Standing {
+    places: Vec<Option<Point>>,
+    poses: Vec<Option<Pose>>,
 }
 
 /// How far the record had come before a trial.
@@ -226,10 +234,15 @@ impl<'m> Draughtsman<'m> {
     pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
         let before = self.skeleton();
         let first = self.trial(index);
-        let drawn = self.position_with(step, &first);
+        let drawn = self.position_with(step, &first, true);
         let fails = |d: &mut Self, drawn: &Result<(), DrawError>, trial: &Trial| match drawn {
             Ok(()) => d.tells_nothing(Order::Position, trial),
-            Err(DrawError::NoConstruction { .. } | DrawError::NoClosure { .. }) => true,
+            // A dyad that is stretched out where the group stands may miss by rounding.
+            Err(
+                DrawError::NoConstruction { .. }
+                | DrawError::NoClosure { .. }
+                | DrawError::CannotAssemble { .. },
+            ) => true,
             Err(_) => false,
         };
         let mut nearest: Option<(f64, Option<Trial>)> = None;
@@ -243,11 +256,12 @@ impl<'m> Draughtsman<'m> {
         let mut searched = assemblies(&first);
         for trial in self.other_ways(index) {
             searched += assemblies(&trial);
-            if searched > MOST_ASSEMBLIES {
+            let most = if nearest.is_some() { MOST_ASSEMBLIES } else { MOST_WHERE_NONE };
+            if searched > most {
                 break;
             }
             self.back_to(&before);
-            let other = self.position_with(step, &trial);
+            let other = self.position_with(step, &trial, true);
             if fails(self, &other, &trial) {
                 continue;
             }
@@ -260,14 +274,30 @@ impl<'m> Draughtsman<'m> {
                 nearest = Some((miss, Some(trial)));
             }
         }
+        if nearest.is_none() {
+            // Places by which links stand may tell less than a trial does: where an arc about the one touches a guide.
+            let mut searched = 0;
+            for trial in std::iter::once(first.clone()).chain(self.other_ways(index)) {
+                searched += assemblies(&trial);
+                if searched > MOST_ASSEMBLIES {
+                    break;
+                }
+                self.back_to(&before);
+                let other = self.position_with(step, &trial, false);
+                if other.is_ok() && !fails(self, &other, &trial) {
+                    self.ways.insert(index, trial);
+                    return other;
+                }
+            }
+        }
         self.back_to(&before);
         match nearest {
             Some((_, Some(trial))) => {
-                let drawn = self.position_with(step, &trial);
+                let drawn = self.position_with(step, &trial, true);
                 self.ways.insert(index, trial);
                 drawn
             }
-            _ => self.position_with(step, &first),
+            _ => self.position_with(step, &first, true),
         }
     }
 
@@ -293,13 +323,15 @@ impl<'m> Draughtsman<'m> {
         self.misses_of_hints(trial).iter().all(|miss| *miss <= far * far)
     }
 
-    fn position_with(&mut self, step: &GroupStep, trial: &Trial) -> Result<(), DrawError> {
+    /// The skeleton of the group by one way to try it; where links stand by places alone nothing is tried, if that is
+    /// allowed.
+    fn position_with(&mut self, step: &GroupStep, trial: &Trial, by_places: bool) -> Result<(), DrawError> {
         let steps = trial_steps(trial, step, self.mechanism);
         self.board.purpose("position by trial");
         let points = self.points_of(trial);
         let given: Vec<PointId> = points.iter().copied().filter(|&p| self.is_given(p)).collect();
         let exact = |p: &PointId| given.contains(p);
-        if points.iter().any(exact) && self.stand_by_places(trial, step) {
+        if by_places && points.iter().any(exact) && self.stand_by_places(trial, step) {
             return Ok(());
         }
         let rod = self.on_rods(trial, &step.points);
@@ -369,6 +401,7 @@ impl<'m> Draughtsman<'m> {
         self.act(Act::TryPosition { driver, closing, of_no_dyad: self.has_no_dyad(trial) });
         // First with the angle found on the scratch board, then with what the tape makes of it.
         let found = self.board.found(root.angle);
+        let blank = self.standing_now();
         self.silent = true;
         self.sides = Some(root.sides.clone());
         let tried = self.positions(trial, steps, rod, &[found]);
@@ -379,6 +412,7 @@ impl<'m> Draughtsman<'m> {
         let Some(miss) = miss?? else { return Err(DrawError::NoConstruction { links }) };
         let angle = self.board.corrected(found, miss, (slope, self.unit_of_trial(driver)), reason);
         self.sides = Some(root.sides);
+        self.stand_as(&blank);
         let drawn = self.positions(trial, steps, rod, &[angle]);
         self.sides = None;
         drawn
@@ -483,10 +517,12 @@ impl<'m> Draughtsman<'m> {
         let choices = choices(trial);
         let mut roots: Vec<Root> = Vec::new();
         let mut sketch = self.sketch();
+        let blank = sketch.standing_now();
         for combination in 0..assemblies(trial) {
             let sides: Vec<Side> = (0..choices)
                 .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
                 .collect();
+            sketch.stand_as(&blank);
             sketch.sides = Some(sides.clone());
             if sketch.positions(trial, &steps, &rod, &[]).is_err() {
                 continue;
@@ -496,11 +532,16 @@ impl<'m> Draughtsman<'m> {
                 Ok(None) => true,
                 Err(_) => false,
             };
-            if trial.drivers.iter().map(|&(_, closing)| closing).all(closes) {
+            if trial.drivers.iter().map(|&(_, closing)| closing).all(closes) && sketch.face_riders(trial) {
                 self.add_root(trial, &mut roots, &sketch, (0.0, sides));
             }
         }
         roots
+    }
+
+    /// Whether the links of one joint that turn with their riders point towards these.
+    fn face_riders(&mut self, trial: &Trial) -> bool {
+        !trial.knows_turning() || self.links_of_trial(trial).into_iter().all(|link| self.faces_rider(link))
     }
 
     /// The steps of the group with every point.
@@ -723,6 +764,17 @@ impl<'m> Draughtsman<'m> {
         }
     }
 
+    /// What stands at present. What an earlier trial has left would otherwise be taken for solved by the next.
+    fn standing_now(&self) -> Standing {
+        Standing { places: self.places.clone(), poses: self.poses.clone() }
+    }
+
+    /// Takes off what has been drawn since.
+    fn stand_as(&mut self, before: &Standing) {
+        self.places.clone_from(&before.places);
+        self.poses.clone_from(&before.poses);
+    }
+
     /// A scratch board with what is solved so far.
     fn sketch(&self) -> Draughtsman<'m> {
         let mut sketch = Draughtsman::new(Board::scratch(), self.mechanism, self.structure, self.scales);
@@ -762,11 +814,13 @@ impl<'m> Draughtsman<'m> {
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
+        let blank = sketch.standing_now();
         for combination in 0..assemblies(trial) {
             let sides: Vec<Side> = (0..choices)
                 .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
                 .collect();
             let mut evaluate = |angle: f64| -> Option<f64> {
+                sketch.stand_as(&blank);
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
                 sketch.positions(trial, &steps, &rod, &[along]).ok()?;
@@ -815,9 +869,10 @@ impl<'m> Draughtsman<'m> {
                 before = now;
             }
             for angle in found {
+                sketch.stand_as(&blank);
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
-                if sketch.positions(trial, &steps, &rod, &[along]).is_err() {
+                if sketch.positions(trial, &steps, &rod, &[along]).is_err() || !sketch.face_riders(trial) {
                     continue;
                 }
                 self.add_root(trial, &mut roots, &sketch, (angle, sides.clone()));
@@ -922,7 +977,9 @@ impl<'m> Draughtsman<'m> {
         let Some(&(driver, closing)) = trial.drivers.first() else { return Given::exact(0.0) };
         let mut sketch = self.sketch();
         let on_rod = GroupStep { group: 0, points: Vec::new() };
+        let blank = sketch.standing_now();
         let miss_at = |angle: f64| -> Option<f64> {
+            sketch.stand_as(&blank);
             let along = sketch.board.angle(Given::exact(angle));
             sketch.sides = Some(root.sides.clone());
             sketch.positions(trial, steps, &on_rod, &[along]).ok()?;

@@ -193,6 +193,13 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A wheel's centre that two contacts with solved bodies hold, or a contact and a guide of a solved link.
+    HeldCentre {
+        /// The centre.
+        centre: PointId,
+        /// What holds it: contacts, or the sliding pair in which it rides.
+        holds: [Hold; 2],
+    },
     /// A link whose own line is held against a wheel whose centre is solved (a rack pinned to a crank).
     PinnedRack {
         /// The link.
@@ -343,6 +350,7 @@ impl fmt::Display for GroupKind {
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::PinnedRack { .. } => "pinned rack",
             Self::RidingCentre { .. } => "riding link on a rolling contact",
+            Self::HeldCentre { .. } => "centre held by contacts",
             Self::Driven { .. } => "driven cylinder",
             Self::DrivenRack { .. } => "driven rack",
             Self::Higher { .. } => "group of higher class",
@@ -491,6 +499,9 @@ impl GroupKind {
                 Target::Pin(centre),
                 [slide(ride, Some(link)), Unknown::Roll { roll, wheel, centre, back: false }],
             ),
+            Self::HeldCentre { centre, holds } => {
+                (Target::Pin(centre), holds.map(|hold| hold.unknown(false, centre)))
+            }
             Self::PinnedRack { link, base, wheel, centre, roll } => (
                 Target::Under(centre, link),
                 [Unknown::Turn { link, base, to: centre }, Unknown::Roll { roll, wheel, centre, back: true }],
@@ -590,6 +601,7 @@ impl GroupKind {
             Self::Prp { .. }
             | Self::Rack { .. }
             | Self::RidingCentre { .. }
+            | Self::HeldCentre { .. }
             | Self::DrivenWheel { .. }
             | Self::DrivenSlide { .. }
             | Self::Higher { .. }

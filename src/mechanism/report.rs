@@ -351,6 +351,7 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::Rolling { .. }
         | GroupKind::Planet { .. }
         | GroupKind::RidingCentre { .. }
+        | GroupKind::HeldCentre { .. }
         | GroupKind::PinnedRack { .. } => (2, 2),
     };
     GroupReport { kind: group.kind.to_string(), links, class, order, after: group.after.clone() }

@@ -110,11 +110,12 @@ pub enum Closing {
         /// Its other end.
         far: PointId,
     },
-    /// A pin on a guide.
+    /// A pin on a guide; or a link that slides without turning, whose turning is known without that: its first joint is to
+    /// lie on the guide.
     Slide {
         /// Index into [`Mechanism::slides`].
         slide: usize,
-        /// The pin.
+        /// The pin, or the riding link's first joint.
         pin: PointId,
     },
     /// A link whose angle is given.
@@ -436,6 +437,7 @@ impl Structure {
             }
             let way = Trial::ways(mechanism, &held, group).next();
             let way = way.or_else(|| Trial::further_ways(mechanism, &held, group).next());
+            let way = way.or_else(|| Trial::ways_by_rides(mechanism, &held, group).next());
             if let Some(trial) = way {
                 structure.groups[index].kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -548,7 +550,8 @@ impl Structure {
         let Some(group) = self.groups.iter().find(|group| group.kind == kind) else { return Vec::new() };
         let held = self.contacts();
         let further = Trial::further_ways(mechanism, &held, group).take(most);
-        Trial::ways(mechanism, &held, group).take(most).chain(further).collect()
+        let by_rides = Trial::ways_by_rides(mechanism, &held, group).take(most);
+        Trial::ways(mechanism, &held, group).take(most).chain(further).chain(by_rides).collect()
     }
 
     /// The ways in which a group of higher class can be tried where it stands and those of [`Structure::ways_to_try`] tell
@@ -849,6 +852,21 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     {
         return GroupKind::RidingCentre { link, ride, wheel, centre, roll };
     }
+    if let ([], [], [], &[centre]) = (rolls.as_slice(), rods.as_slice(), turned.as_slice(), points)
+        && !held.is_empty()
+        && moved.is_empty()
+    {
+        let contacts = held.iter().filter_map(|&roll| {
+            let wheel = wheel_about(&mechanism.rolls[roll], centre)?;
+            Some(Hold::Contact { roll, wheel })
+        });
+        let rides = |slide: usize| matches!(mechanism.slides[slide].rider, Rider::Pin { point, .. } if point == centre);
+        let guides = slides.iter().filter(|&&slide| rides(slide)).map(|&slide| Hold::Slide(slide));
+        return match contacts.chain(guides).collect::<Vec<Hold>>().as_slice() {
+            &[first, second] => GroupKind::HeldCentre { centre, holds: [first, second] },
+            _ => GroupKind::Other,
+        };
+    }
     if let (&[first, second], &[(arm, base)], [_, _], &[centre]) =
         (rolls.as_slice(), outer.as_slice(), rods.as_slice(), points)
         && held.is_empty()
@@ -1115,6 +1133,16 @@ fn carried_centre(mechanism: &Mechanism, link: LinkId, roll: usize) -> Option<(L
     }
 }
 
+/// The wheel of a rolling pair whose circle has this centre.
+fn wheel_about(roll: &Roll, centre: PointId) -> Option<LinkId> {
+    match *roll {
+        Roll::Circles { links, centres, .. } => {
+            (0..2).find(|&side| centres[side] == centre).map(|side| links[side])
+        }
+        Roll::Line { wheel, centre: own, .. } => (own == centre).then_some(wheel),
+    }
+}
+
 /// A link that is pinned to a solved one and held by a contact: by a centre that it carries, or by its line.
 fn leaning(
     mechanism: &Mechanism,
@@ -1369,14 +1397,37 @@ impl Trial {
                 ways.extend(drivers.iter().map(|&(driver, _)| vec![(driver, closing)]));
             }
         }
-        ways.into_iter().filter_map(|drivers| {
-            let turning = Turning::of(mechanism, group, &drivers);
-            if turning.links.is_empty() {
-                return None;
-            }
-            let groups = subgroups(mechanism, held, group, &drivers, &turning)?;
-            Some(Self { drivers, groups })
-        })
+        ways.into_iter().filter_map(|drivers| Self::knowing_turning(mechanism, held, group, drivers))
+    }
+
+    /// The ways in which a ride is left open: two links are known to turn as one, and the one is off the other's guide. They
+    /// come last, for a pin or a rod is easier to see.
+    fn ways_by_rides<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
+        let drivers = Self::drivers(mechanism, group);
+        open_rides(mechanism, group)
+            .flat_map(move |closing| {
+                drivers.clone().into_iter().map(move |(driver, _)| vec![(driver, closing)])
+            })
+            .filter_map(|drivers| Self::knowing_turning(mechanism, held, group, drivers))
+    }
+
+    /// The way with these drivers, where links of the group turn with one whose turning is known.
+    fn knowing_turning(
+        mechanism: &Mechanism,
+        held: &[usize],
+        group: &Group,
+        drivers: Vec<(TrialDriver, Closing)>,
+    ) -> Option<Self> {
+        let turning = Turning::of(mechanism, group, &drivers);
+        if turning.links.is_empty() {
+            return None;
+        }
+        let groups = subgroups(mechanism, held, group, &drivers, &turning)?;
+        Some(Self { drivers, groups })
     }
 
     /// The ways that are tried after all others.
@@ -1398,6 +1449,8 @@ impl Trial {
         let mut closings = closings(mechanism, group);
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
+        let rides: Vec<Closing> = open_rides(mechanism, group).take(TRIED_TOGETHER).collect();
+        closings.extend(rides.iter().map(|&ride| (ride, 3)));
         let is_driven = |sub: &Group| {
             matches!(
                 sub.kind,
@@ -1411,6 +1464,9 @@ impl Trial {
         let mut ways: Vec<Self> = by_twos(&drivers, &closings)
             .into_iter()
             .filter_map(|drivers| {
+                if drivers.iter().any(|(_, closing)| rides.contains(closing)) {
+                    return Self::knowing_turning(mechanism, held, group, drivers);
+                }
                 let groups = subgroups(mechanism, held, group, &drivers, &Turning::default())?;
                 Some(Self { drivers, groups })
             })
@@ -1517,6 +1573,14 @@ fn rides_of<'a>(
             _ => None,
         },
         _ => None,
+    })
+}
+
+/// The rides of a group as constraints that a trial leaves open.
+fn open_rides<'a>(mechanism: &'a Mechanism, group: &'a Group) -> impl Iterator<Item = Closing> + 'a {
+    rides_of(mechanism, group).filter_map(|(slide, [rider, _])| {
+        let pin = mechanism.link(rider).points.first().copied()?;
+        Some(Closing::Slide { slide, pin })
     })
 }
 

@@ -693,6 +693,12 @@ impl Teller<'_> {
                 words.try_position_rod,
                 &[link, ("near", n.point(*near)), ("length", n.length(*far, *near))],
             ),
+            // Of a ride the guide may run past the rider.
+            Closing::Slide { slide, .. }
+                if matches!(n.mechanism().slides[*slide].rider, Rider::Link { .. }) =>
+            {
+                Rich::fill(words.try_position_turn, &[link])
+            }
             Closing::Slide { pin, .. } => {
                 Rich::fill(words.try_position_guide, &[link, ("near", n.point(*pin))])
             }

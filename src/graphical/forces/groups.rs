@@ -61,7 +61,7 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             rolling::riding_centre(d, (link, ride), (wheel, centre), roll, balance);
         }
         GroupKind::Higher { trial } => higher::higher(d, group, trial, balance),
-        GroupKind::Other => balance.refused = Some(NO_BALANCE),
+        GroupKind::HeldCentre { .. } | GroupKind::Other => balance.refused = Some(NO_BALANCE),
     }
     balance.balanced.extend(group.links.iter().copied());
     d.board.purpose(before);
