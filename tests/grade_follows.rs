@@ -149,6 +149,66 @@ fn numbers_of_a_turning_moment_diagram_follow_from_own_ones() {
     wrong_alone(turning_moment, &json!({ "Ef": 698.1, "Ks": 0.0085 }), &["Ef", "Ks"]);
 }
 
+fn press(find: &[&str]) -> Value {
+    let table =
+        json!([[0, 100], [50, 900], [120, 700], [180, 120], [240, -100], [290, 650], [330, 500], [360, 100]]);
+    json!({
+        "units": { "torque": "N*m" }, "links": {}, "input": { "omega": "240 rpm" },
+        "cycle": { "torque": { "table": table }, "fluctuation": 0.03,
+                   "rotating": [{ "mass": 120, "gyration": "300 mm" }] },
+        "find": find
+    })
+}
+
+#[test]
+fn a_turning_moment_diagram_is_cut_at_the_students_own_mean() {
+    // By hand on the given table with T = 380 N m: θ₁ = (380 − 100)/800·50°, E_min at it −280·0.3054/2, and so on.
+    let low = json!({
+        "E": 2390.0, "Tmean": 380.0, "power": 9550.0, "crossing(1)": 17.5, "crossing(2)": 153.0, "Emax": 710.0,
+        "Emin": -42.8, "Ef": 753.0, "Ke": 0.315, "If": 28.9
+    });
+    wrong_alone(press, &low, &["E"]);
+    // The mean over two turns; E itself is right.
+    let two_turns = json!({
+        "E": 2650.0, "Tmean": 211.0, "power": 5300.0, "crossing(1)": 6.94, "crossing(2)": 171.0,
+        "Emax": 1330.0, "Emin": -6.73, "Ef": 1340.0, "Ke": 0.506, "If": 60.0
+    });
+    wrong_alone(press, &two_turns, &["Tmean"]);
+    // T = 427 N m is within its room and moves the small level by more than that has.
+    wrong_alone(press, &json!({ "Tmean": 427.0, "Emin": -95.7 }), &[]);
+    wrong_alone(press, &json!({ "Tmean": 427.0, "Emin": -125.0 }), &["Emin"]);
+    wrong_alone(press, &json!({ "Tmean": 380.0, "crossing(1)": 30.0 }), &["Tmean", "crossing(1)"]);
+}
+
+#[test]
+fn mistakes_of_a_flywheel_are_named() {
+    // K_s·ω² = 18.95, I = 10.8 kg m², E_f = 672.5 J, E_max = 599.4 J.
+    let flywheel = |values: Value| named(&press(&["Tmean", "E", "Emax", "Emin", "Ef", "Ke", "If"]), &values);
+    let right = json!({ "Tmean": 422.1, "E": 2652.0, "Emax": 599.4, "Emin": -73.05, "Ef": 672.5, "Ke": 0.2536 });
+    let with = |name: &str, value: f64| {
+        let mut values = right.clone();
+        values[name] = json!(value);
+        values
+    };
+    let expected = [
+        (with("If", 672.5 / 18.95), "wrong-formula"),
+        (with("If", 672.5 / 18.95 + 10.8), "wrong-formula"),
+        (with("If", 672.5 / (2.0 * 18.95) - 10.8), "half-fluctuation"),
+        (with("Ke", 672.5 / 422.1), "wrong-formula"),
+        (with("Ef", 599.4), "wrong-formula"),
+    ];
+    for (values, kind) in expected {
+        assert_eq!(flywheel(values.clone()).0, kind, "{values}");
+    }
+    let mean = json!({ "E": 2652.0, "Tmean": 211.0, "crossing(1)": 6.94 });
+    assert_eq!(named(&press(&["E", "Tmean", "crossing(1)"]), &mean), ("one-turn-for-two", 1.0));
+    // −100 N m read as 100 N m: E by trapezia over the other table.
+    let sign = json!({ "E": 2844.0, "Tmean": 452.6, "crossing(1)": 22.04, "crossing(2)": 145.6, "Emax": 520.9,
+                       "Emin": -67.82, "Ef": 588.8 });
+    let find = ["E", "Tmean", "crossing(1)", "crossing(2)", "Emax", "Emin", "Ef"];
+    assert_eq!(named(&press(&find), &sign), ("load-wrong", 1.0));
+}
+
 #[test]
 fn a_load_in_the_wrong_sense_costs_one_mark() {
     // F₃₄ along the rod, N on the guide, T = F₃₂ times its arm: all of them turned about.

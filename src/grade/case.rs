@@ -1133,6 +1133,15 @@ impl<'s> Case<'s> {
         (0..self.observations.len()).map(allowed).collect()
     }
 
+    /// What is right of a quantity that was answered and is a number.
+    pub(super) fn right_number(&self, quantity: Quantity) -> Option<f64> {
+        let place = self.observations.iter().position(|observation| observation.quantity == Some(quantity))?;
+        match self.truth[place].as_deref()? {
+            &[number] => Some(number),
+            _ => None,
+        }
+    }
+
     /// Whether an answer is an angle, the same a turn later.
     fn turns(&self, index: usize) -> bool {
         matches!(self.observations[index].quantity, Some(Quantity::Angle(_)))

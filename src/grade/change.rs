@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use crate::given::Given;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::cycle::RotatingInertia;
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, RotatingInertia, Sides};
 use crate::mechanism::force::{Inertia, LoadKind, Pressure, Size, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
@@ -50,6 +51,8 @@ pub(super) enum InputChange {
     Load { index: usize, factor: f64 },
     /// The period of the turning-moment diagram is multiplied.
     Period(f64),
+    /// A value of the table of the turning-moment diagram, by its index, is multiplied.
+    Knot { index: usize, factor: f64 },
     /// The wanted fluctuation of speed is multiplied.
     Fluctuation(f64),
     /// The inertia of what turns with the input, by its index, is multiplied.
@@ -187,6 +190,16 @@ impl Change {
                 InputChange::Period(factor) => {
                     if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
                         cycle.period = cycle.period.times(factor);
+                    }
+                }
+                InputChange::Knot { index, factor } => {
+                    if let Some(
+                        Sides::Torque(Course::Curve(Curve::Table { knots, .. }))
+                        | Sides::Load(Course::Curve(Curve::Table { knots, .. })),
+                    ) = mechanism.to_mut().forces.cycle.as_mut().map(|cycle| &mut cycle.sides)
+                        && let Some([_, torque]) = knots.get_mut(index)
+                    {
+                        *torque = torque.times(factor);
                     }
                 }
                 InputChange::Fluctuation(factor) => {

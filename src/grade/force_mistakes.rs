@@ -7,7 +7,8 @@ use super::kind::Kind;
 use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
 use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::cycle::{CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
 use crate::mechanism::force::{Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Share, Size};
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
 use crate::mechanism::quantity::Quantity;
@@ -724,6 +725,89 @@ impl List<'_, '_> {
         }
     }
 
+    /// A negative value of the table taken as positive, and the mean of the values in the place of that of the curve.
+    fn knots_of_diagram(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let (Sides::Torque(Course::Curve(curve)) | Sides::Load(Course::Curve(curve))) = &cycle.sides else {
+            return;
+        };
+        let Curve::Table { knots, .. } = curve.clone() else { return };
+        let unit = &self.case.scene.units.torque;
+        for (index, [at, torque]) in knots.iter().enumerate() {
+            if torque.value < 0.0 {
+                let read = |value: f64| super::text::digits(value / unit.si, 0.1);
+                let how = format!(
+                    "{} read as {} {} at {}°",
+                    read(torque.value),
+                    read(-torque.value),
+                    unit.symbol,
+                    super::text::digits(at.value.to_degrees(), 0.1)
+                );
+                let change = Change::of_inputs(InputChange::Knot { index, factor: -1.0 });
+                self.add_so((Kind::LoadWrong, how), "the diagram", None, PLAIN, change);
+            }
+        }
+        // A table that ends where it begins tells its first value twice: some leave one out.
+        let mean = self.case.right_number(Quantity::Cycle(CycleQuantity::Mean));
+        let Some(mean) = mean.filter(|mean| *mean != 0.0) else { return };
+        for leave in 0..2.min(knots.len()) {
+            let counted = &knots[leave..];
+            let sum: f64 = counted.iter().map(|[_, torque]| torque.value).sum();
+            #[expect(clippy::cast_precision_loss, reason = "knots are few")]
+            let average = sum / counted.len() as f64;
+            let readings = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
+                of: Which::One(Quantity::Cycle(of)),
+                twist: Twist::scaled(average / mean),
+            });
+            let how = (Kind::WrongFormula, "the mean of the values, not of the area".to_owned());
+            let name = self.name(&Quantity::Cycle(CycleQuantity::Mean));
+            let read = Change { readings: readings.to_vec(), ..Change::default() };
+            self.add_so(how, &name, None, 0.5, read);
+        }
+    }
+
+    /// Numbers of the diagram by another formula than their own.
+    fn reckoned_otherwise(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let (period, there) = (cycle.period.value, self.case.rotating);
+        let right = |of: CycleQuantity| self.case.right_number(Quantity::Cycle(of));
+        let twisted = |of: CycleQuantity, factor: f64| {
+            let twist = Twist::scaled(factor);
+            Change::read(Misreading::Twisted { of: Which::One(Quantity::Cycle(of)), twist })
+        };
+        let plus = |of: CycleQuantity, by: f64| {
+            Change::read(Misreading::Plus { of: Quantity::Cycle(of), by: [by, 0.0] })
+        };
+        let mut ways = vec![(CycleQuantity::OfEnergy, "E_f/T_m in the place of E_f/E", {
+            twisted(CycleQuantity::OfEnergy, period)
+        })];
+        if there > 0.0 {
+            let flywheel = CycleQuantity::Flywheel;
+            ways.push((flywheel, "what turns already was not taken off", plus(flywheel, there)));
+            ways.push((flywheel, "what turns already was added", plus(flywheel, 2.0 * there)));
+        }
+        let levels = [CycleQuantity::Fluctuation, CycleQuantity::Highest, CycleQuantity::Lowest].map(right);
+        if let [Some(fluctuation), Some(highest), Some(lowest)] = levels
+            && fluctuation > 0.0
+        {
+            for (level, how) in [
+                (highest, "the highest level alone"),
+                (lowest.abs(), "the lowest level alone"),
+                ((highest + lowest).abs(), "the lowest level with the wrong sign"),
+            ] {
+                let factor = level / fluctuation;
+                if factor > 0.0 && (factor - 1.0).abs() > 1e-3 {
+                    let taken = Change::read(Misreading::Fluctuation { factor, inertia: there });
+                    ways.push((CycleQuantity::Fluctuation, how, taken));
+                }
+            }
+        }
+        for (of, how, change) in ways {
+            let name = self.name(&Quantity::Cycle(of));
+            self.add_so((Kind::WrongFormula, how.to_owned()), &name, None, PLAIN, change);
+        }
+    }
+
     /// The inertia of what turns with a weight for its mass or a diameter for its radius, and ω for ω² in what is reckoned
     /// from it.
     fn what_turns(&mut self) {
@@ -744,6 +828,13 @@ impl List<'_, '_> {
             for (kind, factor) in ways {
                 let change = Change::of_inputs(InputChange::Rotating { index, factor });
                 self.add(kind, &inertia, None, PLAIN, change);
+            }
+            if let RotatingInertia::Mass(_, radius) | RotatingInertia::Weight(_, radius) = one.inertia
+                && radius.value > 0.0
+            {
+                let change = Change::of_inputs(InputChange::Rotating { index, factor: 1.0 / radius.value });
+                let how = (Kind::WrongFormula, "M·k in the place of M·k²".to_owned());
+                self.add_so(how, &inertia, None, PLAIN, change);
             }
         }
         for of in [CycleQuantity::OfSpeed, CycleQuantity::Flywheel].map(Quantity::Cycle) {
@@ -771,22 +862,31 @@ impl List<'_, '_> {
             let read = Change { readings: means.to_vec(), ..Change::default() };
             self.add_so((Kind::OneTurnForTwo, "a whole turn".to_owned()), "the period", None, PLAIN, read);
         }
-        if (period / turn - 2.0).abs() < 1e-9 {
-            let at = "the period";
-            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+        // The whole diagram over half of its turns, or a mean alone over another number of turns.
+        let mean_over = |factor: f64| {
             let means = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
                 of: Which::One(Quantity::Cycle(of)),
-                twist: Twist::scaled(2.0),
+                twist: Twist::scaled(factor),
             });
-            let read = Change { readings: means.to_vec(), ..Change::default() };
-            self.add(Kind::OneTurnForTwo, at, None, 0.5, read);
+            Change { readings: means.to_vec(), ..Change::default() }
+        };
+        let at = "the period";
+        if (period / turn - 2.0).abs() < 1e-9 {
+            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+            self.add(Kind::OneTurnForTwo, at, None, 0.5, mean_over(2.0));
+        } else if (period / turn - 1.0).abs() < 1e-9 {
+            self.add(Kind::OneTurnForTwo, at, None, PLAIN, mean_over(0.5));
         }
+        self.knots_of_diagram();
+        self.reckoned_otherwise();
         self.areas_of_diagram();
         self.what_turns();
         let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
         if cycle.fluctuation.is_some() {
-            let half = Change::of_inputs(InputChange::Fluctuation(0.5));
-            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, half);
+            let change = |factor: f64| Change::of_inputs(InputChange::Fluctuation(factor));
+            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, change(0.5));
+            let doubled = (Kind::HalfFluctuation, "the whole range taken for it and doubled".to_owned());
+            self.add_so(doubled, "Ks", None, PLAIN, change(2.0));
         }
         let of_speed = Quantity::Cycle(CycleQuantity::OfSpeed);
         if self.observed().contains(&of_speed) {

@@ -135,7 +135,8 @@ struct Tried {
     moved: f64,
 }
 
-pub(super) fn judge(case: &Case<'_>) -> Judgement {
+/// Judges all answers; those `of_another` variant are right or wrong, for what they follow from is not this mechanism.
+pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
     let count = case.observations.len();
     let right: Vec<f64> =
         (0..count).map(|i| case.miss(i, case.truth[i].as_deref(), case.accepted(i))).collect();
@@ -150,7 +151,15 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
     let mut drawn = Change::default();
     let mut faults = Vec::new();
     let mut caused = vec![None; count];
+    if of_another {
+        let verdicts = verdicts.into_iter().map(|verdict| verdict.unwrap_or(Verdict::Wrong)).collect();
+        return Judgement { verdicts, faults: Vec::new(), caused: vec![None; count], drawn: Change::default() };
+    }
     while let Some(first) = verdicts.iter().position(Option::is_none) {
+        if routes::follows_from_right_numbers(case, &verdicts, first) {
+            verdicts[first] = Some(Verdict::Right);
+            continue;
+        }
         if !faults.is_empty()
             && let Some(base) = case.drawn(&drawn, None)
         {

@@ -88,7 +88,7 @@ impl Report {
         let _ = writeln!(page, "</table>\n<p class=\"sum\">{} of {} marks</p>", marks(reached), marks(of));
         let wrong: Vec<_> =
             self.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong).collect();
-        if !wrong.is_empty() {
+        if !wrong.is_empty() && self.other_variant.is_none() {
             page.push_str("<ol>\n");
             for graded in wrong {
                 let said = sentences(graded).join(" ");

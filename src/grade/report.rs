@@ -30,6 +30,8 @@ pub struct Report {
     pub turned: Option<f64>,
     /// Whether the answers state a `tolerance`, which did not count.
     pub tolerances_ignored: bool,
+    /// The variant of the exam to which the answers belong, where that is another one.
+    pub other_variant: Option<String>,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -189,6 +191,7 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         symbols: case.symbols(),
         turned: case.turns.told(),
         tolerances_ignored: case.tolerances_ignored,
+        other_variant: answers.other_variant.clone(),
     }
 }
 
@@ -507,6 +510,9 @@ impl Report {
         }
         if self.tolerances_ignored {
             report["tolerances_ignored"] = json!(true);
+        }
+        if let Some(variant) = &self.other_variant {
+            report["answers_of_variant"] = json!(variant);
         }
         if let Some(student) = &self.student {
             report["student"] = json!(student);

@@ -9,6 +9,7 @@ use super::answers::Given;
 use super::case::{Case, Room, Target, direction, polygon, size};
 use super::change::Change;
 use super::judge::Verdict;
+use super::mean_line::Cut;
 use super::steps;
 use crate::graphical::Sketch;
 use crate::graphical::construction::{Act, Calculation, Label, Reference};
@@ -58,6 +59,20 @@ pub(super) fn follows(
         case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
     desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, index, &fits)
+}
+
+/// Whether a number of a turning-moment diagram follows from the student's own numbers of it, all of them right: a mean
+/// within its room may move a small level by more than that has.
+pub(super) fn follows_from_right_numbers(
+    case: &Case<'_>,
+    verdicts: &[Option<Verdict>],
+    index: usize,
+) -> bool {
+    let Some(Quantity::Cycle(target)) = case.observations[index].quantity else { return false };
+    let desk = Desk { case, base: &case.right, seen: &case.truth, verdicts, index };
+    let room = case.rooms[index].times(OF_RIGHT);
+    let fits = |own: &Own<f64>| !own.wrong && case.miss(index, Some(&[own.value]), room) <= 1.0;
+    desk.of_cycle(target).iter().any(fits)
 }
 
 /// Where a centre would be found on one right line and on one through two centres that no third link has in common, with
@@ -993,7 +1008,26 @@ impl Desk<'_, '_> {
             }
             _ => Vec::new(),
         };
-        ways.into_iter().flatten().filter(|own| own.value.is_finite()).collect()
+        let by_mean = self.on_own_mean_line(target);
+        ways.into_iter().flatten().chain(by_mean).filter(|own| own.value.is_finite()).collect()
+    }
+
+    /// What the given curve tells, cut at the student's own mean: only where the right mean leads to the right number.
+    fn on_own_mean_line(&self, target: CycleQuantity) -> Option<Own<f64>> {
+        let sheet = self.case.cycle.as_ref()?;
+        let &[right] = self.case.truth[self.index].as_deref()? else { return None };
+        let mean = sheet.curves[sheet.constant?].first()?[1];
+        let read = |mean: f64| Cut::new(sheet, mean)?.number(target);
+        if (read(mean)? - right).abs() > SAME_CUT * right.abs().max(self.case.rooms[self.index].by) {
+            return None;
+        }
+        let own = self.scalar(Quantity::Cycle(CycleQuantity::Mean)).or_else(|| {
+            let period = sheet.period;
+            Some(self.scalar(Quantity::Cycle(CycleQuantity::Work))?.map(|work| work / period))
+        })?;
+        // Of a resisting torque the mean has its sign in the diagram.
+        let value = read(if mean < 0.0 { -own.value.abs() } else { own.value })?;
+        Some(Own { value, wrong: own.wrong })
     }
 
     /// ω = V / l or ε = Aᵗ / l by any two points of the link.
@@ -1033,6 +1067,12 @@ impl Desk<'_, '_> {
 
 /// An image that stands farther from where it should, as a part of its distance from the pole, is another one.
 const MOVED: f64 = 1e-6;
+
+/// A number that follows from right ones is met within this part of its room.
+const OF_RIGHT: f64 = 0.5;
+
+/// A curve of straight pieces leads to a number of the diagram within this part.
+const SAME_CUT: f64 = 0.02;
 
 /// The sine of the flattest crossing at which a pencil still finds a point.
 const FLAT: f64 = 0.05;

@@ -160,7 +160,14 @@ impl Report {
             format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared.")
         });
         let stated = "The tolerance that these answers state does not count: the examiner sets it.";
-        turned.into_iter().chain(self.tolerances_ignored.then(|| stated.to_owned())).collect()
+        let variant = self.other_variant.as_ref().map(|variant| {
+            format!(
+                "These are the answers of variant {variant}: the number of the variant is wrong, or they are not the student's own. \
+                 Nothing follows from them."
+            )
+        });
+        let stated = self.tolerances_ignored.then(|| stated.to_owned());
+        variant.into_iter().chain(turned).chain(stated).collect()
     }
 
     /// The report as text.
@@ -180,7 +187,7 @@ impl Report {
         for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
             let [a, b] = widths;
             let _ = writeln!(text, "{name:<a$}  {given:<b$}  {verdict}");
-            if graded.verdict != Verdict::Wrong {
+            if graded.verdict != Verdict::Wrong || self.other_variant.is_some() {
                 continue;
             }
             for line in sentences(graded) {
@@ -191,7 +198,7 @@ impl Report {
             let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
             let _ = writeln!(text, "not answered: {}", self.symbols.plain(&names.join(", ")));
         }
-        if let Some(fault) = self.first_fault() {
+        if let (Some(fault), None) = (self.first_fault(), &self.other_variant) {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
             let _ = writeln!(text, "first fault{place}, {}", self.symbols.plain(&fault.text()));
         }

@@ -84,6 +84,7 @@ impl Mistake {
             Kind::LoadWrong => format!("{at}: calculated wrongly from what is given"),
             Kind::RateNotSquared => format!("{at}: ω in the place of ω²"),
             Kind::WrongCentreLine => format!("{at}: found on a line on which it does not lie"),
+            Kind::WrongFormula => format!("{at}: calculated by another formula"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -211,6 +212,7 @@ impl Mistake {
             Kind::WrongCentreLine => {
                 "The centre of links i and j lies on the line through those that both have with one third link."
             }
+            Kind::WrongFormula => "Write the formula down with its letters before you put numbers in.",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }
