@@ -393,9 +393,7 @@ fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
                 let (reached, of) = report.sum();
                 let fault = match (&report.other_variant, report.first_fault()) {
                     (Some(variant), _) => format!("the answers of variant {variant}"),
-                    (None, fault) => {
-                        fault.map_or(String::new(), |fault| report.symbols.plain(&fault.text()))
-                    }
+                    (None, fault) => fault.map_or(String::new(), |fault| report.symbols.plain(&fault.text())),
                 };
                 let marks = format!("{} of {}", short(reached), short(of));
                 let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");

@@ -109,7 +109,10 @@ pub fn class_csv(class: &[HandIn]) -> String {
                 fields.extend(names.iter().map(|name| {
                     let graded = report.quantities.iter().find(|graded| column(&graded.name) == *name);
                     let missing = report.missing.iter().any(|(missing, _)| column(missing) == *name);
-                    graded.map_or(if missing { "missing" } else { "" }, |g| g.verdict.name()).to_owned()
+                    graded.map_or(if missing { "missing" } else { "" }.to_owned(), |graded| {
+                        let silent = graded.silent().map(|untold| format!(" without {untold}"));
+                        format!("{}{}", graded.verdict.name(), silent.unwrap_or_default())
+                    })
                 }));
             }
         }

@@ -34,6 +34,8 @@ enum Laid {
     Length(LinkId, [usize; 2]),
     /// The angle of an input.
     Angle(usize),
+    /// The speed of all inputs.
+    Speed,
 }
 
 impl Laid {
@@ -54,6 +56,7 @@ impl Laid {
             }
             _ => None,
         }));
+        all.push(Self::Speed);
         all.retain(|laid| laid.change([0.1, 0.1]).mechanism(mechanism).as_ref() != mechanism);
         all
     }
@@ -69,6 +72,7 @@ impl Laid {
             Self::Pivot(point) => InputChange::Pivot { point, by },
             Self::Length(link, ends) => InputChange::Length { link, ends, factor: 1.0 + by[0] },
             Self::Angle(input) => InputChange::Angle { input, by: by[0] },
+            Self::Speed => InputChange::Rates { omega: 1.0 + by[0], alpha: 1.0 },
         })
     }
 }
@@ -199,6 +203,14 @@ impl Fit<'_, '_> {
                     if by[0] > 0.0 { "long" } else { "short" }
                 );
                 (Kind::LengthLaidOff, format!("the length {}{}", name(a), name(b)), how)
+            }
+            Laid::Speed => {
+                let how = format!(
+                    "about {} % too {}",
+                    (100.0 * by[0].abs()).round(),
+                    if by[0] > 0.0 { "fast" } else { "slow" }
+                );
+                (Kind::InputSpeed, "the input".to_owned(), how)
             }
             Laid::Angle(_) => {
                 let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };

@@ -9,7 +9,9 @@ use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, T
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::curve::Curve;
 use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
-use crate::mechanism::force::{Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Share, Size};
+use crate::mechanism::force::{
+    Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Pointing, Share, Size,
+};
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId, Slide};
@@ -34,6 +36,7 @@ impl List<'_, '_> {
         self.all_weights();
         self.loads_elsewhere(sheet);
         self.loads_calculated();
+        self.loads_turned();
         self.parallel_axes();
         self.left_out(sheet);
         self.handed_on_reversed(sheet);
@@ -101,6 +104,9 @@ impl List<'_, '_> {
             self.add(Kind::CoupleWithAlpha, &couple, None, price + 0.1, Change::drawn(sense));
             let none = vec![Departure::Offset { link, factor: 0.0 }];
             self.add(Kind::ForceLeftOut, &couple, None, price + 0.25, Change::drawn(none));
+            // Not found at all: it and its offset are nothing.
+            let not_found = vec![Departure::InertiaTorque { link, factor: 0.0 }];
+            self.add(Kind::ForceLeftOut, &couple, None, price + 0.5, Change::drawn(not_found));
         }
         for mass in masses.iter().filter(turns) {
             self.inertia_torque(mass, sheet);
@@ -156,14 +162,16 @@ impl List<'_, '_> {
             if of.len() > 1 {
                 groups.extend(of.iter().map(|mass| vec![*mass]));
             }
+            // M·g in the place of M, where only a mass is given.
+            let weighed = if weight { None } else { Some(1.0 / g) };
             for group in groups.into_iter().filter(|group| !group.is_empty()) {
                 let at = match group[..] {
                     [only] => format!("the mass of link {}", self.number(only.link)),
                     _ => "the masses".to_owned(),
                 };
                 let single = if group.len() == 1 && of.len() > 1 { 0.5 } else { PLAIN };
-                for (index, factor) in factors.iter().enumerate() {
-                    let factor = if weight { *factor } else { 1.0 / factor };
+                for (index, factor) in factors.iter().copied().chain(weighed).enumerate() {
+                    let factor = if weight { factor } else { 1.0 / factor };
                     let price = single + index as f64;
                     let inertia: Vec<Departure> = group
                         .iter()
@@ -257,9 +265,60 @@ impl List<'_, '_> {
         }
     }
 
+    /// A load laid off by another angle than the stated one, and one on a straight link from its other end.
+    fn loads_turned(&mut self) {
+        for (index, load) in self.case.mechanism.forces.loads.clone().iter().enumerate() {
+            let LoadKind::Force { pointing: Pointing::World(angle), .. } = load.kind else { continue };
+            let name = self.force_name(Force::Vector(Action::Load(index)));
+            let angle = angle.value;
+            for (how, other) in [
+                ("its angle counted from the other side", std::f64::consts::PI - angle),
+                ("its angle counted clockwise", -angle),
+                ("its angle counted from the y axis", FRAC_PI_2 - angle),
+            ] {
+                if libm::sin((other - angle) / 2.0).abs() > SAME_ARM {
+                    let change = Change::of_inputs(InputChange::LoadTurned { index, by: other - angle });
+                    self.add_so((Kind::LoadWrong, how.to_owned()), &name, None, 0.25, change);
+                }
+            }
+        }
+    }
+
+    /// M·d² added to a moment of inertia that is given about the mass centre.
+    fn added_for_parallel_axes(&mut self) {
+        let g = self.case.mechanism.forces.gravity.g.value;
+        for mass in self.case.mechanism.forces.masses.clone() {
+            let kg = match mass.heaviness {
+                Heaviness::Weight(weight) => weight.value / g,
+                Heaviness::Mass(mass) => mass.value,
+                Heaviness::None => continue,
+            };
+            let central = match mass.inertia {
+                Inertia::Central(inertia) => inertia.value,
+                Inertia::Gyration(radius) => kg * radius.value * radius.value,
+                Inertia::Point | Inertia::About(..) => continue,
+            };
+            let name = self.force_name(Force::InertiaTorque(mass.link));
+            let Some(centre) = self.place(mass.centre) else { continue };
+            for point in self.case.mechanism.link(mass.link).points.clone() {
+                let Some(at) = self.place(point).filter(|_| central > 0.0) else { continue };
+                let far = libm::hypot(at[0] - centre[0], at[1] - centre[1]);
+                let factor = 1.0 + kg * far * far / central;
+                if factor - 1.0 > SAME_ARM {
+                    let torque = Departure::InertiaTorque { link: Some(mass.link), factor };
+                    let point = &self.case.mechanism.point(point).name;
+                    let how = format!("I about {point} taken for I about the mass centre");
+                    let change = Change::drawn(vec![torque]);
+                    self.add_so((Kind::ParallelAxis, how), &name, None, PLAIN, change);
+                }
+            }
+        }
+    }
+
     /// A moment of inertia about another point of the link taken for that about the mass centre, or reckoned over to the
     /// wrong side.
     fn parallel_axes(&mut self) {
+        self.added_for_parallel_axes();
         for mass in self.case.mechanism.forces.masses.clone() {
             let Inertia::About(about, own) = mass.inertia else { continue };
             let (Some(from), Some(centre)) = (self.place(about), self.place(mass.centre)) else { continue };
@@ -735,13 +794,13 @@ impl List<'_, '_> {
         let unit = &self.case.scene.units.torque;
         for (index, [at, torque]) in knots.iter().enumerate() {
             if torque.value < 0.0 {
-                let read = |value: f64| super::text::digits(value / unit.si, 0.1);
+                let read = |value: f64| super::misread::written(value / unit.si);
                 let how = format!(
                     "{} read as {} {} at {}°",
                     read(torque.value),
                     read(-torque.value),
                     unit.symbol,
-                    super::text::digits(at.value.to_degrees(), 0.1)
+                    super::misread::written(at.value.to_degrees())
                 );
                 let change = Change::of_inputs(InputChange::Knot { index, factor: -1.0 });
                 self.add_so((Kind::LoadWrong, how), "the diagram", None, PLAIN, change);
@@ -829,12 +888,26 @@ impl List<'_, '_> {
                 let change = Change::of_inputs(InputChange::Rotating { index, factor });
                 self.add(kind, &inertia, None, PLAIN, change);
             }
-            if let RotatingInertia::Mass(_, radius) | RotatingInertia::Weight(_, radius) = one.inertia
-                && radius.value > 0.0
-            {
-                let change = Change::of_inputs(InputChange::Rotating { index, factor: 1.0 / radius.value });
+            let (kg, radius) = match one.inertia {
+                RotatingInertia::Central(_) => continue,
+                RotatingInertia::Mass(mass, radius) => (mass.value, radius.value),
+                RotatingInertia::Weight(weight, radius) => (weight.value / g, radius.value),
+            };
+            // With it what turns may be heavy enough already, and the flywheel lighter than nothing.
+            let ratio = one.ratio.value * one.ratio.value;
+            let (right, more) = (self.case.rotating, kg * ratio * (radius - radius * radius));
+            if right > 0.0 && more != 0.0 {
+                let twisted = |of: CycleQuantity, factor: f64| Misreading::Twisted {
+                    of: Which::One(Quantity::Cycle(of)),
+                    twist: Twist::scaled(factor),
+                };
+                let readings = vec![
+                    twisted(CycleQuantity::Inertia, (right + more) / right),
+                    twisted(CycleQuantity::OfSpeed, right / (right + more)),
+                    Misreading::Plus { of: Quantity::Cycle(CycleQuantity::Flywheel), by: [-more, 0.0] },
+                ];
                 let how = (Kind::WrongFormula, "M·k in the place of M·k²".to_owned());
-                self.add_so(how, &inertia, None, PLAIN, change);
+                self.add_so(how, &inertia, None, PLAIN, Change { readings, ..Change::default() });
             }
         }
         for of in [CycleQuantity::OfSpeed, CycleQuantity::Flywheel].map(Quantity::Cycle) {

@@ -141,11 +141,15 @@ pub enum Kind {
     WrongCentreLine,
     /// A number was reckoned by another formula than its own.
     WrongFormula,
+    /// Two answers were handed in for each other.
+    Interchanged,
+    /// The input was taken with another speed than the given one.
+    InputSpeed,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 69] = [
+    pub const ALL: [Self; 71] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -215,6 +219,8 @@ impl Kind {
         Self::RateNotSquared,
         Self::WrongCentreLine,
         Self::WrongFormula,
+        Self::Interchanged,
+        Self::InputSpeed,
     ];
 
     /// Whether something is left out by it, which is then nothing.
@@ -304,6 +310,8 @@ impl Kind {
             Self::RateNotSquared => "rate-not-squared",
             Self::WrongCentreLine => "wrong-centre-line",
             Self::WrongFormula => "wrong-formula",
+            Self::Interchanged => "interchanged",
+            Self::InputSpeed => "input-speed",
         }
     }
 }

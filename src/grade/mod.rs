@@ -34,6 +34,7 @@ mod force_mistakes;
 mod judge;
 mod kind;
 mod mean_line;
+mod misread;
 mod mistakes;
 mod nearest;
 mod page;

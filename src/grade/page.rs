@@ -58,7 +58,10 @@ impl Report {
             let verdict = match (graded.verdict, graded.wrong_in()) {
                 (Verdict::Wrong, Some(part)) => format!("wrong: {part}"),
                 (verdict, _) if graded.charged => format!("{}, which costs its mark here", verdict.told()),
-                (verdict, _) => verdict.told().to_owned(),
+                (verdict, _) => match graded.silent() {
+                    Some(untold) => format!("{}, but its {untold} is not told", verdict.told()),
+                    None => verdict.told().to_owned(),
+                },
             };
             let _ = writeln!(
                 page,

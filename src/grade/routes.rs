@@ -10,7 +10,7 @@ use super::case::{Case, Room, Target, direction, polygon, size};
 use super::change::Change;
 use super::judge::Verdict;
 use super::mean_line::Cut;
-use super::steps;
+use super::steps::{self, By};
 use crate::graphical::Sketch;
 use crate::graphical::construction::{Act, Calculation, Label, Reference};
 use crate::mechanism::cycle::CycleQuantity;
@@ -48,7 +48,7 @@ pub(super) fn follows(
     (drawn, base): (&Change, &Sketch),
     verdicts: &[Option<Verdict>],
     index: usize,
-    allowed: Room,
+    (allowed, by): (Room, By),
 ) -> bool {
     let seen = &case.seen(base, drawn);
     let desk = Desk { case, base, seen, verdicts, index };
@@ -58,7 +58,7 @@ pub(super) fn follows(
         let room = Room { by: allowed.by * larger, ..allowed }.and(case.most(index, numbers));
         case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
-    desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, index, &fits)
+    desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, (index, by), &fits)
 }
 
 /// Whether a number of a turning-moment diagram follows from the student's own numbers of it, all of them right: a mean
@@ -957,17 +957,22 @@ impl Desk<'_, '_> {
     /// ω by the distances of the centre that a link shares with another from the poles of both.
     fn rates_by_centres(&self, link: LinkId) -> Vec<Own<f64>> {
         let Some(pole) = self.centre(LinkId::FRAME, link) else { return Vec::new() };
+        // V over the distance, as the book has it, or V square to the distance: of a centre that is wrong they differ.
         let ratio = |(rate, other, shared): (Own<f64>, Own<Xy>, Own<Xy>)| {
             let speed = rate.with(other, |rate, other| (rate, other));
             let speed =
                 speed.with(shared, |(rate, other), shared| (times(minus(shared, other), rate), shared));
-            speed.with(pole, |(speed, shared), pole| {
-                let arm = minus(shared, pole);
-                let square = arm[0] * arm[0] + arm[1] * arm[1];
-                (speed[0] * arm[0] + speed[1] * arm[1]) / square
-            })
+            let over = |whole: bool| {
+                speed.with(pole, |(speed, shared), pole| {
+                    let arm = minus(shared, pole);
+                    let across = (speed[0] * arm[0] + speed[1] * arm[1]) / size(&arm);
+                    let across = if whole { size(&speed).copysign(across) } else { across };
+                    across / size(&arm)
+                })
+            };
+            [over(true), over(false)]
         };
-        self.shared_centres(link).into_iter().map(ratio).filter(|own| own.value.is_finite()).collect()
+        self.shared_centres(link).into_iter().flat_map(ratio).filter(|own| own.value.is_finite()).collect()
     }
 
     /// What is reckoned from other numbers of a turning-moment diagram and what is given of it.
