@@ -218,7 +218,7 @@ impl Ground {
             // A part of nothing is no measure: that something is zero can be read.
             let measured = cap > NOTHING * honest;
             // What is read has its room, a cap is not passed.
-            let by = if free < allowed { told_up(free, unit) } else { told(allowed, unit) };
+            let by = told_up(free, unit).min(told(allowed, unit));
             Room { by, free, honest, loose: measured && honest > cap }
         };
         let spread = |part: fn(&Slip) -> f64, reading: f64, least: f64| {

@@ -606,3 +606,46 @@ fn the_sheets_of_an_exam_are_those_that_draw_draws() {
         assert!(title.text().unwrap().ends_with(&format!(" · {variant}")));
     }
 }
+
+/// Whoever hands in the answers of another variant, his own number or a neighbour's, is told so and follows from nothing.
+#[test]
+fn the_answers_of_another_variant_are_told() {
+    use linkgram::grade::{self, GradeSettings, Verdict};
+    for name in SCENES {
+        let scene = common::read(&common::example_text(name));
+        let variants = drawn(&scene, 3, 2).variants;
+        let key = exam::json(&scene, &terms(3), &variants).to_string();
+        let key = grade::Key::read(&key).unwrap();
+        for (own, other) in [(0, 0), (0, 1), (1, 0), (2, 1)] {
+            let mut values = serde_json::Map::new();
+            for answer in &variants[own].answers {
+                let entry = values.entry(answer.name.clone()).or_insert_with(|| serde_json::json!({}));
+                match answer.part.name() {
+                    "value" if answer.turns => {
+                        let sense = if answer.value < 0.0 { "cw" } else { "ccw" };
+                        *entry = serde_json::json!({ "value": answer.value.abs(), "sense": sense });
+                    }
+                    part => entry[part] = answer.value.into(),
+                }
+            }
+            let differ = variants[own].answers.iter().zip(&variants[other].answers);
+            let differ = differ.filter(|(a, b)| (a.value - b.value).abs() > 1.5 * b.tolerance).count();
+            let graded_as = &variants[other];
+            let answers = serde_json::json!({ "values": values }).to_string();
+            let mut answers = grade::read_named(&answers, "answers.json", &graded_as.scene).unwrap();
+            let found = key.other_variant(&answers, &graded_as.name());
+            if own == other {
+                assert_eq!(found, None, "{name}");
+                continue;
+            }
+            if differ < 4 {
+                continue;
+            }
+            assert_eq!(found, Some(variants[own].name()), "{name} {own} {other}");
+            answers.other_variant = found;
+            let report = grade::grade(&graded_as.scene, &answers, &GradeSettings::default()).unwrap();
+            assert!(report.to_text().contains("answers of variant"), "{name}");
+            assert!(report.quantities.iter().all(|graded| graded.verdict != Verdict::Consistent), "{name}");
+        }
+    }
+}

@@ -149,6 +149,220 @@ fn numbers_of_a_turning_moment_diagram_follow_from_own_ones() {
     wrong_alone(turning_moment, &json!({ "Ef": 698.1, "Ks": 0.0085 }), &["Ef", "Ks"]);
 }
 
+fn press(find: &[&str]) -> Value {
+    let table =
+        json!([[0, 100], [50, 900], [120, 700], [180, 120], [240, -100], [290, 650], [330, 500], [360, 100]]);
+    json!({
+        "units": { "torque": "N*m" }, "links": {}, "input": { "omega": "240 rpm" },
+        "cycle": { "torque": { "table": table }, "fluctuation": 0.03,
+                   "rotating": [{ "mass": 120, "gyration": "300 mm" }] },
+        "find": find
+    })
+}
+
+#[test]
+fn a_turning_moment_diagram_is_cut_at_the_students_own_mean() {
+    // By hand on the given table with T = 380 N m: θ₁ = (380 − 100)/800·50°, E_min at it −280·0.3054/2, and so on.
+    let low = json!({
+        "E": 2390.0, "Tmean": 380.0, "power": 9550.0, "crossing(1)": 17.5, "crossing(2)": 153.0, "Emax": 710.0,
+        "Emin": -42.8, "Ef": 753.0, "Ke": 0.315, "If": 28.9
+    });
+    wrong_alone(press, &low, &["E"]);
+    // The mean over two turns; E itself is right.
+    let two_turns = json!({
+        "E": 2650.0, "Tmean": 211.0, "power": 5300.0, "crossing(1)": 6.94, "crossing(2)": 171.0,
+        "Emax": 1330.0, "Emin": -6.73, "Ef": 1340.0, "Ke": 0.506, "If": 60.0
+    });
+    wrong_alone(press, &two_turns, &["Tmean"]);
+    // T = 427 N m is within its room and moves the small level by more than that has.
+    wrong_alone(press, &json!({ "Tmean": 427.0, "Emin": -95.7 }), &[]);
+    wrong_alone(press, &json!({ "Tmean": 427.0, "Emin": -125.0 }), &["Emin"]);
+    wrong_alone(press, &json!({ "Tmean": 380.0, "crossing(1)": 30.0 }), &["Tmean", "crossing(1)"]);
+}
+
+#[test]
+fn mistakes_of_a_flywheel_are_named() {
+    // K_s·ω² = 18.95, I = 10.8 kg m², E_f = 672.5 J, E_max = 599.4 J.
+    let flywheel = |values: Value| named(&press(&["Tmean", "E", "Emax", "Emin", "Ef", "Ke", "If"]), &values);
+    let right =
+        json!({ "Tmean": 422.1, "E": 2652.0, "Emax": 599.4, "Emin": -73.05, "Ef": 672.5, "Ke": 0.2536 });
+    let with = |name: &str, value: f64| {
+        let mut values = right.clone();
+        values[name] = json!(value);
+        values
+    };
+    let expected = [
+        (with("If", 672.5 / 18.95), "wrong-formula"),
+        (with("If", 672.5 / 18.95 + 10.8), "wrong-formula"),
+        (with("If", 672.5 / (2.0 * 18.95) - 10.8), "half-fluctuation"),
+        (with("If", 672.5 / 18.95 - 36.0), "wrong-formula"),
+        (with("Ke", 672.5 / 422.1), "wrong-formula"),
+    ];
+    for (values, kind) in expected {
+        assert_eq!(flywheel(values.clone()).0, kind, "{values}");
+    }
+    let level = json!({ "Emax": 599.4, "Emin": -73.05, "Ef": 599.4 });
+    assert_eq!(named(&press(&["Emax", "Emin", "Ef"]), &level), ("wrong-formula", 1.0));
+    let mean = json!({ "E": 2652.0, "Tmean": 211.0, "crossing(1)": 6.94 });
+    assert_eq!(named(&press(&["E", "Tmean", "crossing(1)"]), &mean), ("one-turn-for-two", 1.0));
+    // −100 N m read as 100 N m: E by trapezia over the other table.
+    let sign = json!({ "E": 2844.0, "Tmean": 452.6, "crossing(1)": 22.04, "crossing(2)": 145.6, "Emax": 520.9,
+                       "Emin": -67.82, "Ef": 588.8 });
+    let find = ["E", "Tmean", "crossing(1)", "crossing(2)", "Emax", "Emin", "Ef"];
+    assert_eq!(named(&press(&find), &sign), ("load-wrong", 1.0));
+}
+
+/// A four-bar linkage whose numbers were calculated with one given number misread; position and rates by the loop equation.
+fn misread(o4: [f64; 2], [crank, rod, rocker]: [f64; 3], angle: f64) -> Value {
+    let omega = -6.0 * std::f64::consts::PI;
+    let (sin, cos) = (libm::sin(angle.to_radians()), libm::cos(angle.to_radians()));
+    let a = [crank * cos, crank * sin];
+    let [x, y] = [o4[0] - a[0], o4[1] - a[1]];
+    let far = libm::hypot(x, y);
+    let along = (far * far + rod * rod - rocker * rocker) / (2.0 * far);
+    let across = libm::sqrt(rod * rod - along * along);
+    let [ux, uy] = [x / far, y / far];
+    let side = |across: f64| [a[0] + along * ux - across * uy, a[1] + along * uy + across * ux];
+    let away = |b: [f64; 2]| libm::hypot(b[0] - 130.0, b[1] - 110.0);
+    let b = if away(side(across)) < away(side(-across)) { side(across) } else { side(-across) };
+    let [ba, bo] = [[b[0] - a[0], b[1] - a[1]], [b[0] - o4[0], b[1] - o4[1]]];
+    // ω₃ × BA − ω₄ × BO = d
+    let solved = |d: [f64; 2]| {
+        let det = -ba[1] * -bo[0] - bo[1] * ba[0];
+        [(d[0] * -bo[0] - bo[1] * d[1]) / det, (-ba[1] * d[1] - ba[0] * d[0]) / det]
+    };
+    let va = [-omega * a[1], omega * a[0]];
+    let [w3, w4] = solved([-va[0], -va[1]]);
+    let aa = [-omega * omega * a[0], -omega * omega * a[1]];
+    let part = |axis: usize| w3 * w3 * ba[axis] - w4 * w4 * bo[axis] - aa[axis];
+    let [e3, e4] = solved([part(0), part(1)]);
+    let vb = [-w4 * bo[1], w4 * bo[0]];
+    let ab = [-e4 * bo[1] - w4 * w4 * bo[0], e4 * bo[0] - w4 * w4 * bo[1]];
+    let rate = |value: f64| turning(value.abs(), if value < 0.0 { "cw" } else { "ccw" });
+    json!({
+        "v(B)": { "components": vb }, "omega(3)": rate(w3), "omega(4)": rate(w4),
+        "a(B)": { "components": ab }, "alpha(3)": rate(e3), "alpha(4)": rate(e4)
+    })
+}
+
+#[test]
+fn a_given_number_that_was_misread_costs_one_mark() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 20] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 45 }, "3": { "joins": ["A", "B"], "length": 130 },
+            "4": { "joins": ["O4", "B"], "length": 90 }
+        },
+        "near": { "B": [130, 110] }, "input": { "link": 2, "angle": 70, "omega": "180 rpm cw" },
+        "find": ["v(B)", "omega(3)", "omega(4)", "a(B)", "alpha(3)", "alpha(4)"]
+    });
+    let right = misread([150.0, 20.0], [45.0, 130.0, 90.0], 70.0);
+    let report = graded(&scene, &json!({ "values": right }));
+    assert!(report.first_fault().is_none(), "{}", report.to_text());
+    for (values, kind) in [
+        (misread([20.0, 150.0], [45.0, 130.0, 90.0], 70.0), "pivot-misplaced"),
+        (misread([150.0, -20.0], [45.0, 130.0, 90.0], 70.0), "pivot-misplaced"),
+        (misread([150.0, 20.0], [45.0, 90.0, 130.0], 70.0), "length-laid-off"),
+        (misread([150.0, 20.0], [22.5, 130.0, 90.0], 70.0), "length-laid-off"),
+        (misread([150.0, 20.0], [54.0, 130.0, 90.0], 70.0), "length-laid-off"),
+        (misread([150.0, 20.0], [45.0, 130.0, 90.0], 250.0), "input-angle"),
+        (misread([150.0, 20.0], [45.0, 130.0, 90.0], 160.0), "input-angle"),
+    ] {
+        let report = graded(&scene, &json!({ "values": values }));
+        let fault = report.first_fault().unwrap();
+        assert_eq!(fault.mistakes.first().map(|first| first.kind.name()), Some(kind), "{}", report.to_text());
+        let wrong = report.quantities.iter().filter(|one| one.verdict == Verdict::Wrong).count();
+        assert_eq!(wrong, 1, "{}", report.to_text());
+    }
+}
+
+#[test]
+fn a_skeleton_at_another_scale_is_compared_at_its_own() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 20] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 45 }, "3": { "joins": ["A", "B"], "length": 130 },
+            "4": { "joins": ["O4", "B"], "length": 90 }
+        },
+        "near": { "B": [130, 110] }, "input": { "link": 2, "angle": 70, "omega": "180 rpm cw" },
+        "find": ["omega(3)"]
+    });
+    let right = misread([150.0, 20.0], [45.0, 130.0, 90.0], 70.0);
+    // B by V_B = ω₄ × BO₄.
+    let parts: Vec<f64> =
+        right["v(B)"]["components"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let omega = -right["omega(4)"]["value"].as_f64().unwrap();
+    let b = [150.0 + parts[1] / omega, 20.0 - parts[0] / omega];
+    let a = [45.0 * libm::cos(70.0_f64.to_radians()), 45.0 * libm::sin(70.0_f64.to_radians())];
+    let enlarged = [0.5, 2.5].map(|times| {
+        let at = |[x, y]: [f64; 2]| json!([x * times, y * times]);
+        let skeleton = json!({ "O2": [0, 0], "O4": at([150.0, 20.0]), "A": at(a), "B": at(b) });
+        let answers =
+            json!({ "values": { "omega(3)": right["omega(3)"] }, "points": { "skeleton": skeleton } });
+        let report = graded(&scene, &answers);
+        assert!(report.first_fault().is_none(), "{}", report.to_text());
+        // Nothing is told of the scale of the sheet itself.
+        report.enlarged.unwrap_or(1.0)
+    });
+    assert!((enlarged[1] / enlarged[0] / 5.0 - 1.0).abs() < 1e-6, "{enlarged:?}");
+}
+
+/// A₂′ of a slotted lever is wrong: a₄′ lies beside its right place by as much as that leads to, and not on the other side
+/// of it. Numbers by complex kinematics: from (−90, −30) for (−83.4, −25.6) follows 6 mm along the guide's normal.
+#[test]
+fn the_image_under_a_rider_follows_on_its_own_side() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [30, -140] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "4": { "joins": ["O4", "B"], "length": 240 } },
+        "slides": [{ "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "B" } }],
+        "near": { "B": [60, 100] },
+        "input": { "link": 2, "angle": 25, "omega": "12 rad/s ccw", "alpha": "20 rad/s^2 ccw" },
+        "find": ["v(A)", "v(A@4)", "v(B)", "alpha(4)", "a(B)"]
+    });
+    let verdict = |far: f64| {
+        let under = [-51.1 - 0.98929 * far, -2.0 + 0.14585 * far];
+        let answers = json!({
+            "points": {
+                "velocity": { "o": [0, 0], "a2": [-30.4, 65.3], "a4": [-39.2, 5.8], "b": [-56.3, 8.3] },
+                "acceleration": { "o'": [0, 0], "a2'": [-90, -30], "a4'": under }
+            },
+            "scales": { "velocity": "10 mm/s per mm", "acceleration": "100 mm/s^2 per mm" }
+        });
+        let report = graded(&scene, &answers);
+        let own = report.quantities.iter().find(|one| one.name == "acceleration:a4'").unwrap();
+        own.verdict
+    };
+    assert_eq!(verdict(6.0), Verdict::Consistent);
+    assert_eq!(verdict(-6.0), Verdict::Wrong);
+}
+
+/// Four numbers that belong to no motion, and a fifth that was scanned over what it might follow from: before, 22 of 42
+/// such numbers followed rightly.
+#[test]
+fn numbers_of_no_motion_lead_to_little() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 20] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 45 }, "3": { "joins": ["A", "B"], "length": 130 },
+            "4": { "joins": ["O4", "B"], "length": 90 }
+        },
+        "near": { "B": [130, 110] }, "input": { "link": 2, "angle": 70, "omega": "180 rpm cw" },
+        "find": ["v(B)", "omega(3)", "omega(4)", "a(B)", "alpha(3)", "alpha(4)"]
+    });
+    let follows = |alpha: f64| {
+        let values = json!({
+            "v(B)": { "components": [-312, -701] }, "omega(3)": turning(9.13, "cw"),
+            "omega(4)": turning(2.21, "ccw"), "a(B)": { "components": [5210, -3333] },
+            "alpha(4)": turning(alpha, "ccw")
+        });
+        let report = graded(&scene, &json!({ "values": values }));
+        report.quantities.iter().any(|one| one.name == "alpha(4)" && one.verdict == Verdict::Consistent)
+    };
+    let scanned = (0..14).map(|step| 22.0 * libm::pow(1.08, 3.0 * f64::from(step)));
+    let followed = scanned.filter(|alpha| follows(*alpha)).count();
+    assert!(followed <= 3, "{followed} of 14");
+}
+
 #[test]
 fn a_load_in_the_wrong_sense_costs_one_mark() {
     // F₃₄ along the rod, N on the guide, T = F₃₂ times its arm: all of them turned about.

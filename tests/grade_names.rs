@@ -267,3 +267,60 @@ fn what_follows_from_the_lines_of_a_slot_exchanged_has_its_marks() {
     });
     names(&scene, &values, Kind::PerpendicularForParallel, "v(A@4)");
 }
+
+/// Centres handed in for each other, and ω by a distance that is not that from the centre: one mark, and a name.
+#[test]
+fn typical_mistakes_with_centres_are_named() {
+    let scene = r#"{
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [120, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 110 },
+                   "4": { "joins": ["O4", "B"], "length": 80 } },
+        "near": { "B": [120, 80] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" },
+        "find": [{ "name": "I(1,3)", "method": "centres" }, { "name": "I(2,4)", "method": "centres" },
+                 { "name": "omega(3)", "method": "centres" }, { "name": "v(B)", "method": "centres" }]
+    }"#;
+    let scene = linkgram::scene::read(scene, "scene.json").unwrap();
+    // By hand: B from the two circles, I₁₃ where O₂A meets O₄B, I₂₄ where AB meets O₂O₄.
+    let a = [20.0, 40.0 * libm::sin(std::f64::consts::FRAC_PI_3)];
+    let [x, y] = [120.0 - a[0], -a[1]];
+    let far = libm::hypot(x, y);
+    let along = (far * far + 110.0 * 110.0 - 80.0 * 80.0) / (2.0 * far);
+    let across = libm::sqrt(110.0 * 110.0 - along * along);
+    let b = [a[0] + along * x / far - across * y / far, a[1] + along * y / far + across * x / far];
+    let meet = |p: [f64; 2], d: [f64; 2], q: [f64; 2], e: [f64; 2]| {
+        let t = ((q[0] - p[0]) * e[1] - (q[1] - p[1]) * e[0]) / (d[0] * e[1] - d[1] * e[0]);
+        [p[0] + t * d[0], p[1] + t * d[1]]
+    };
+    let i13 = meet([0.0; 2], a, [120.0, 0.0], [b[0] - 120.0, b[1]]);
+    let i24 = meet(a, [b[0] - a[0], b[1] - a[1]], [0.0; 2], [1.0, 0.0]);
+    let away = |p: [f64; 2], q: [f64; 2]| libm::hypot(p[0] - q[0], p[1] - q[1]);
+    // V_A = 400 mm/s; I₁₃ lies beyond A, so that link 3 turns clockwise.
+    let omega = 400.0 / away(i13, a);
+    let sense = if (i13[1] - a[1]) * a[1] > 0.0 { "cw" } else { "ccw" };
+    let point = |at: [f64; 2]| serde_json::json!({ "components": at });
+    let rate = |value: f64| serde_json::json!({ "value": value, "sense": sense });
+    let first = |values: serde_json::Value| {
+        let answers = serde_json::json!({ "values": values }).to_string();
+        let answers = linkgram::grade::read_named(&answers, "answers.json", &scene).unwrap();
+        let report =
+            linkgram::grade::grade(&scene, &answers, &linkgram::grade::GradeSettings::default()).unwrap();
+        let wrong = report.quantities.iter();
+        let wrong = wrong.filter(|one| one.verdict == linkgram::grade::Verdict::Wrong).count();
+        let first = report.first_fault().map(|fault| fault.mistakes.first().map_or("", |m| m.kind.name()));
+        (first, wrong, report.to_text())
+    };
+    let right = serde_json::json!({ "I(1,3)": point(i13), "I(2,4)": point(i24), "omega(3)": rate(omega) });
+    let (fault, _, text) = first(right);
+    assert_eq!(fault, None, "{text}");
+    let swapped = serde_json::json!({ "I(1,3)": point(i24), "I(2,4)": point(i13), "omega(3)": rate(omega) });
+    let (fault, wrong, text) = first(swapped);
+    assert_eq!((fault, wrong), (Some("interchanged"), 1), "{text}");
+    let over_rod = serde_json::json!({ "I(1,3)": point(i13), "omega(3)": rate(400.0 / 110.0) });
+    let (fault, wrong, text) = first(over_rod);
+    assert_eq!((fault, wrong), (Some("wrong-formula"), 1), "{text}");
+    // A wrong centre, and ω = V_A over the distance of A from it.
+    let moved = [i13[0] + 25.0, i13[1] - 30.0];
+    let own = serde_json::json!({ "I(1,3)": point(moved), "omega(3)": rate(400.0 / away(moved, a)) });
+    let (_, wrong, text) = first(own);
+    assert_eq!(wrong, 1, "{text}");
+}

@@ -57,7 +57,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if standard_inputs > 1 {
         return Err(Failure("scene and answers cannot both be standard input".to_owned()));
     }
-    let exam = job.scene.is_dir().then(|| Exam { folder: job.scene.clone() });
+    let exam = job.scene.is_dir().then(|| Exam::new(&job.scene));
     if let (Some(exam), true) = (&exam, answers.is_empty()) {
         let why = "no answers; name the files that were handed in";
         return Err(Failure(format!("{}: {why}", files::shown(&exam.folder))));
@@ -86,7 +86,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let Some(own) = answers.first() else { return Ok(Ending::Fine) };
     let scene = source.of(own)?;
-    let (report, figure) = graded(&scene, own, job.drawing.as_deref(), &settings, false)?;
+    let (report, figure) = graded((&scene, &source), own, job.drawing.as_deref(), &settings, false)?;
     match &output {
         None => {}
         Some(Output::Overlay(path, format)) => {
@@ -128,6 +128,8 @@ enum Source {
 /// The folder of an exam.
 struct Exam {
     folder: PathBuf,
+    /// What is right of every variant; nothing where the key is not there.
+    key: grade::Key,
 }
 
 impl Source {
@@ -141,6 +143,12 @@ impl Source {
 }
 
 impl Exam {
+    fn new(folder: &Path) -> Self {
+        let key = files::read_file(&folder.join("key.json")).ok();
+        let key = key.and_then(|(_, text)| grade::Key::read(&text)).unwrap_or_default();
+        Self { folder: folder.to_owned(), key }
+    }
+
     /// As the key was made; sense and direction have their part of the marks.
     fn settings(&self) -> Result<GradeSettings, Failure> {
         let path = self.folder.join("exam.json");
@@ -230,7 +238,7 @@ fn output(path: &Path, class: bool) -> Result<Output, Failure> {
 
 /// Reads and grades what one student handed in.
 fn graded(
-    scene: &Scene,
+    (scene, source): (&Scene, &Source),
     path: &Path,
     drawing: Option<&Path>,
     settings: &GradeSettings,
@@ -253,6 +261,9 @@ fn graded(
         return Err(Failure(format!(
             "{file}: no answers: give `values`, `lengths`, `points` or a `drawing`"
         )));
+    }
+    if let (Source::Exam(exam), Some(own)) = (source, Path::new(scene.source.file()).file_stem()) {
+        answers.other_variant = exam.key.other_variant(&answers, &own.to_string_lossy());
     }
     grade::grade_with_overlay(scene, &answers, settings).map_err(|error| refused(scene, error))
 }
@@ -313,7 +324,7 @@ fn of_class(
     let bar = progress(answers.len(), "hand-ins");
     let all = parallel::map(answers, |path| {
         let graded = source.of(path).and_then(|scene| {
-            let (report, figure) = graded(&scene, path, None, settings, true)?;
+            let (report, figure) = graded((&scene, source), path, None, settings, true)?;
             Ok::<_, Failure>((report, figure.map(|figure| (title(&scene), figure))))
         });
         bar.inc(1);
@@ -380,8 +391,10 @@ fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
         match &one.outcome {
             Ok(report) => {
                 let (reached, of) = report.sum();
-                let fault =
-                    report.first_fault().map_or(String::new(), |fault| report.symbols.plain(&fault.text()));
+                let fault = match (&report.other_variant, report.first_fault()) {
+                    (Some(variant), _) => format!("the answers of variant {variant}"),
+                    (None, fault) => fault.map_or(String::new(), |fault| report.symbols.plain(&fault.text())),
+                };
                 let marks = format!("{} of {}", short(reached), short(of));
                 let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");
             }

@@ -3,7 +3,8 @@
 //!
 //! Tries are numbered. What a try draws depends on the seed and its number, whether it may become a variant on
 //! nothing but itself, and the variants are the first tries that may and that differ from every variant before
-//! them: neither the number of workers nor how many variants are wanted changes any of them.
+//! them, in most answers as long as such are found: neither the number of workers nor how many variants are wanted
+//! changes any of them.
 //!
 //! **Architecture Invariant:** no number is computed here. Variants are scenes, solved as every scene is; what an
 //! answer may be off is the error of the draughtsman's hand.
@@ -17,7 +18,7 @@ mod measured;
 mod moodle;
 mod qti;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
 
 pub use answer::KeyAnswer;
@@ -42,6 +43,8 @@ use dice::Tries;
 
 /// So many tries without a new variant, and no more are looked for.
 const PATIENCE: u64 = 1000;
+/// So many tries without one that differs from every variant in most answers, and none is chosen any more.
+const CHOOSING: u64 = 64;
 /// So many tries are looked at together; a fixed number, so that the same tries are made by any number of
 /// workers.
 const TOGETHER: u64 = 32;
@@ -350,6 +353,9 @@ pub fn draw(
     let base = Base::new(scene, terms)?;
     let mut drawn = Drawn { variants: Vec::new(), tries: 0, tally: Tally::default() };
     let mut last_success = 0;
+    // Neighbours could copy from each other where most answers are alike: such tries wait, as long as there are others.
+    let mut waiting: VecDeque<(Vec<String>, u64, Candidate)> = VecDeque::new();
+    let mut choosy = true;
     loop {
         let batch: Vec<Vec<String>> = (drawn.tries..drawn.tries + TOGETHER)
             .map_while(|attempt| tries.indices(attempt))
@@ -365,13 +371,24 @@ pub fn draw(
             drawn.tries += 1;
             match judged.and_then(|candidate| unlike(&drawn.variants, candidate)) {
                 Err(flaw) => drawn.tally.count(flaw),
+                Ok(candidate) if choosy && mostly_alike(&drawn.variants, &candidate) => {
+                    waiting.push_back((numbers, attempt, candidate));
+                }
                 Ok(candidate) => {
-                    let number = drawn.variants.len() + 1;
-                    drawn.variants.push(base.named(numbers, number, attempt, candidate));
+                    take(&base, &mut drawn, (numbers, attempt), candidate);
                     last_success = drawn.tries;
-                    progress(number);
+                    progress(drawn.variants.len());
                 }
             }
+            choosy = choosy && drawn.tries - last_success < CHOOSING;
+            if !choosy && !waiting.is_empty() {
+                end_waiting(&base, &mut drawn, &mut waiting, terms.variants);
+                last_success = drawn.tries;
+                progress(drawn.variants.len());
+            }
+        }
+        if all {
+            end_waiting(&base, &mut drawn, &mut waiting, terms.variants);
         }
         let (found, wanted) = (drawn.variants.len(), terms.variants);
         if found == wanted {
@@ -382,6 +399,38 @@ pub fn draw(
             return Err(ExamError::Exhausted { found, wanted, tries: drawn.tries, all, tally: drawn.tally });
         }
     }
+}
+
+/// A candidate that waited becomes a variant, unless one that came before it has its answers.
+fn take(base: &Base<'_>, drawn: &mut Drawn, (numbers, attempt): (Vec<String>, u64), candidate: Candidate) {
+    match unlike(&drawn.variants, candidate) {
+        Err(flaw) => drawn.tally.count(flaw),
+        Ok(candidate) => {
+            let number = drawn.variants.len() + 1;
+            drawn.variants.push(base.named(numbers, number, attempt, candidate));
+        }
+    }
+}
+
+/// Those that waited become variants, in the order of their tries, as long as some are wanted.
+fn end_waiting(
+    base: &Base<'_>,
+    drawn: &mut Drawn,
+    waiting: &mut VecDeque<(Vec<String>, u64, Candidate)>,
+    wanted: usize,
+) {
+    while drawn.variants.len() < wanted {
+        let Some((numbers, attempt, candidate)) = waiting.pop_front() else { break };
+        take(base, drawn, (numbers, attempt), candidate);
+    }
+}
+
+/// Whether more than half of a candidate's answers are those of one of the variants, within tolerance.
+fn mostly_alike(variants: &[Variant], candidate: &Candidate) -> bool {
+    variants.iter().any(|variant| {
+        let pairs = variant.answers.iter().zip(&candidate.answers);
+        2 * pairs.filter(|(a, b)| a.alike(b)).count() > candidate.answers.len()
+    })
 }
 
 /// The variants that came from these tries of an earlier [`draw`] by the same terms.

@@ -54,6 +54,9 @@ pub struct Answers {
     pub drawing: Option<String>,
     /// Where the file names it; 0 where it does not.
     pub drawing_at: usize,
+    /// The variant of an exam to which the answers belong, where that is another one: then each is right or wrong, and
+    /// nothing follows from it.
+    pub other_variant: Option<String>,
     /// What the scene asks: what it asks twice may be answered twice.
     asked: Vec<Quantity>,
     /// Where each scale stands in the file.
@@ -236,6 +239,7 @@ impl Answers {
             tolerances: Vec::new(),
             drawing: None,
             drawing_at: 0,
+            other_variant: None,
             asked: Vec::new(),
             scales_at: [0; Dimension::ALL.len()],
             file: file.to_owned(),

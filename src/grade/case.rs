@@ -109,6 +109,8 @@ pub(super) struct Case<'s> {
     named: RefCell<BTreeMap<String, Quantity>>,
     /// How far each fixed point stands from its place on the skeleton that was handed in, metres, where that is far.
     pub(super) pivots: Vec<(PointId, [f64; 2])>,
+    /// How many times larger than at the sheet's scale the skeleton was drawn as a whole, where that is not 1.
+    pub(super) enlarged: Option<f64>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
     /// Whether the answers state tolerances that do not count.
@@ -289,13 +291,15 @@ impl<'s> Case<'s> {
             turns: Turns::default(),
             named: RefCell::default(),
             pivots: Vec::new(),
+            enlarged: None,
             by_parts: settings.by_parts,
             tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
         let figures = answers.figures.iter().map(|figure| case.found(answers, figure));
-        let figures: Vec<Found<'_>> = figures.collect::<Result<_, _>>()?;
+        let mut figures: Vec<Found<'_>> = figures.collect::<Result<_, _>>()?;
+        case.take_to_scale(&mut figures);
         case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
         for figure in figures {
             case.observe_points(answers, figure)?;
@@ -607,6 +611,19 @@ impl<'s> Case<'s> {
         }
         let points = found.into_iter().map(|(name, at, target)| (name.as_str(), at, target)).collect();
         Ok(Found { figure, points })
+    }
+
+    /// Takes a skeleton that is drawn as a whole at another scale, and none is stated, to that of the sheet.
+    fn take_to_scale(&mut self, figures: &mut [Found<'_>]) {
+        if self.stated.of(Order::Position.dimension()).is_some() {
+            return;
+        }
+        for found in figures.iter_mut().filter(|found| found.figure.order == Order::Position) {
+            self.enlarged = turned::enlarged(&self.mechanism, &self.right.construction, found);
+            if let Some(factor) = self.enlarged {
+                found.points.iter_mut().for_each(|(_, at, _)| *at = at.map(|mm| mm / factor));
+            }
+        }
     }
 
     /// Points of a figure, from its pole; those of the skeleton from its fixed points.
@@ -947,6 +964,11 @@ impl<'s> Case<'s> {
                     let place = asked.iter().position(|known| Quantity::Cycle(*known) == of)?;
                     numbers = vec![self.turned(&change, &asked).get(place).copied()??];
                 }
+                Misreading::TakenFor { of, by } if observation.quantity == Some(of) => {
+                    let mut asked = self.mechanism.asked.iter();
+                    let place = asked.position(|asked| asked.quantity == by)?;
+                    numbers = sketch.numbers.get(place)?.clone()?;
+                }
                 Misreading::Inverted { of } if observation.quantity == Some(of) => {
                     numbers.iter_mut().for_each(|number| *number = 1.0 / *number);
                 }
@@ -1048,6 +1070,7 @@ impl<'s> Case<'s> {
             | Misreading::MeasuredTo { .. }
             | Misreading::Backwards { .. }
             | Misreading::Plus { .. }
+            | Misreading::TakenFor { .. }
             | Misreading::Inverted { .. }
             | Misreading::Rounded { .. }
             | Misreading::Fluctuation { .. }
@@ -1136,6 +1159,16 @@ impl<'s> Case<'s> {
             }
         };
         (0..self.observations.len()).map(allowed).collect()
+    }
+
+    /// What is right of a quantity that was answered and is a number.
+    pub(super) fn right_number(&self, quantity: Quantity) -> Option<f64> {
+        let place =
+            self.observations.iter().position(|observation| observation.quantity == Some(quantity))?;
+        match self.truth[place].as_deref()? {
+            &[number] => Some(number),
+            _ => None,
+        }
     }
 
     /// Whether an answer is an angle, the same a turn later.

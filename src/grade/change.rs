@@ -5,8 +5,9 @@ use std::borrow::Cow;
 use crate::given::Given;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::cycle::RotatingInertia;
-use crate::mechanism::force::{Inertia, LoadKind, Pressure, Size, SpringKind, SpringLaw};
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, RotatingInertia, Sides};
+use crate::mechanism::force::{Inertia, LoadKind, Pointing, Pressure, Size, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Roll};
@@ -48,8 +49,12 @@ pub(super) enum InputChange {
     Pivot { point: PointId, by: [f64; 2] },
     /// A load, by its index, is multiplied.
     Load { index: usize, factor: f64 },
+    /// A load whose direction is stated in the world, by its index, is turned by so many radians.
+    LoadTurned { index: usize, by: f64 },
     /// The period of the turning-moment diagram is multiplied.
     Period(f64),
+    /// A value of the table of the turning-moment diagram, by its index, is multiplied.
+    Knot { index: usize, factor: f64 },
     /// The wanted fluctuation of speed is multiplied.
     Fluctuation(f64),
     /// The inertia of what turns with the input, by its index, is multiplied.
@@ -89,6 +94,8 @@ pub(super) enum Misreading {
     Inverted { of: Quantity },
     /// It was rounded to two figures of the unit in which it is handed in.
     Rounded { of: Quantity },
+    /// Another answer's numbers were handed in for it.
+    TakenFor { of: Quantity, by: Quantity },
     /// Another vector was added to it, SI.
     Plus { of: Quantity, by: [f64; 2] },
     /// The fluctuation of energy is multiplied, and with it what is reckoned from it beside this inertia, kg m².
@@ -184,9 +191,26 @@ impl Change {
                         enlarge_load(&mut load.kind, factor);
                     }
                 }
+                InputChange::LoadTurned { index, by } => {
+                    if let Some(LoadKind::Force { pointing: Pointing::World(angle), .. }) =
+                        mechanism.to_mut().forces.loads.get_mut(index).map(|load| &mut load.kind)
+                    {
+                        *angle = Given::exact(angle.value + by);
+                    }
+                }
                 InputChange::Period(factor) => {
                     if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
                         cycle.period = cycle.period.times(factor);
+                    }
+                }
+                InputChange::Knot { index, factor } => {
+                    if let Some(
+                        Sides::Torque(Course::Curve(Curve::Table { knots, .. }))
+                        | Sides::Load(Course::Curve(Curve::Table { knots, .. })),
+                    ) = mechanism.to_mut().forces.cycle.as_mut().map(|cycle| &mut cycle.sides)
+                        && let Some([_, torque]) = knots.get_mut(index)
+                    {
+                        *torque = torque.times(factor);
                     }
                 }
                 InputChange::Fluctuation(factor) => {
@@ -255,6 +279,7 @@ fn stretch(mechanism: &mut Mechanism, link: LinkId, ends: [usize; 2], factor: f6
         (Form::Sides { third_first, .. }, [0, 2]) => third_first,
         (Form::Arms { second, .. }, [0, 1]) => second,
         (Form::Arms { third, .. }, [0, 2]) => third,
+        (Form::Line(places), [0, end]) if end < places.len() && places[0].value == 0.0 => &mut places[end],
         _ => return,
     };
     *length = length.times(factor);

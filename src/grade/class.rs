@@ -15,6 +15,9 @@ pub struct HandIn {
     pub outcome: Result<Report, String>,
 }
 
+/// What stands in the place of a mistake where somebody hands in the answers of another variant.
+const OTHER_VARIANT: &str = "other-variant";
+
 /// A fault that several made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ClassFault {
@@ -34,7 +37,12 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
     let mut found: BTreeMap<(&'static str, String), (String, usize)> = BTreeMap::new();
     for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
         let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
-        for graded in report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong) {
+        if let Some(variant) = &report.other_variant {
+            let text = format!("the answers of variant {variant}");
+            own.insert((OTHER_VARIANT, variant.clone()), text);
+        }
+        let wrong = report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
+        for graded in wrong.filter(|_| report.other_variant.is_none()) {
             match graded.mistakes.first() {
                 Some(mistake) => own.extend(mistake.parts().map(|part| {
                     ((part.kind.name(), part.at.clone()), report.symbols.plain(&part.own_text()))
@@ -87,17 +95,24 @@ pub fn class_csv(class: &[HandIn]) -> String {
             Ok(report) => {
                 let (reached, of) = report.sum();
                 let percent = if of > 0.0 { format!("{:.1}", 100.0 * reached / of) } else { String::new() };
-                let fault = report.first_fault();
+                let fault = report.first_fault().filter(|_| report.other_variant.is_none());
                 let first = fault.map_or("", |fault| fault.name);
                 let mistake = fault.map_or(String::new(), |fault| {
                     fault.mistakes.first().map_or("unknown".to_owned(), |m| m.kind.name().to_owned())
                 });
+                let mistake = report
+                    .other_variant
+                    .as_ref()
+                    .map_or(mistake, |variant| format!("{OTHER_VARIANT} {variant}"));
                 fields.push(field(report.student.as_deref().unwrap_or("")));
                 fields.extend([marks(reached), marks(of), percent, field(first), field(&mistake)]);
                 fields.extend(names.iter().map(|name| {
                     let graded = report.quantities.iter().find(|graded| column(&graded.name) == *name);
                     let missing = report.missing.iter().any(|(missing, _)| column(missing) == *name);
-                    graded.map_or(if missing { "missing" } else { "" }, |g| g.verdict.name()).to_owned()
+                    graded.map_or(if missing { "missing" } else { "" }.to_owned(), |graded| {
+                        let silent = graded.silent().map(|untold| format!(" without {untold}"));
+                        format!("{}{}", graded.verdict.name(), silent.unwrap_or_default())
+                    })
                 }));
             }
         }

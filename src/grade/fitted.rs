@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use super::answers::Given;
-use super::case::{Case, size};
+use super::case::{Basis, Case, size};
 use super::change::{Change, InputChange};
 use super::kind::Kind;
 use super::mistakes::Hypothesis;
@@ -34,6 +34,8 @@ enum Laid {
     Length(LinkId, [usize; 2]),
     /// The angle of an input.
     Angle(usize),
+    /// The speed of all inputs.
+    Speed,
 }
 
 impl Laid {
@@ -54,6 +56,7 @@ impl Laid {
             }
             _ => None,
         }));
+        all.push(Self::Speed);
         all.retain(|laid| laid.change([0.1, 0.1]).mechanism(mechanism).as_ref() != mechanism);
         all
     }
@@ -69,6 +72,7 @@ impl Laid {
             Self::Pivot(point) => InputChange::Pivot { point, by },
             Self::Length(link, ends) => InputChange::Length { link, ends, factor: 1.0 + by[0] },
             Self::Angle(input) => InputChange::Angle { input, by: by[0] },
+            Self::Speed => InputChange::Rates { omega: 1.0 + by[0], alpha: 1.0 },
         })
     }
 }
@@ -82,7 +86,11 @@ pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<H
         return Vec::new();
     }
     let fit = Fit { case, drawn, open, long: longest(case) };
-    Laid::all(&case.mechanism).into_iter().filter_map(|laid| fit.found(laid)).collect()
+    // A slip in the first number that is calculated looks like another speed: who hands that number in has made it there.
+    let calculated = open.first().is_some_and(|&first| case.allowances[first].basis == Basis::Calculated);
+    let all = Laid::all(&case.mechanism).into_iter();
+    let all = all.filter(|laid| !(calculated && matches!(laid, Laid::Speed)));
+    all.filter_map(|laid| fit.found(laid)).collect()
 }
 
 /// The greatest distance of two joints of a link, metres.
@@ -199,6 +207,14 @@ impl Fit<'_, '_> {
                     if by[0] > 0.0 { "long" } else { "short" }
                 );
                 (Kind::LengthLaidOff, format!("the length {}{}", name(a), name(b)), how)
+            }
+            Laid::Speed => {
+                let how = format!(
+                    "about {} % too {}",
+                    (100.0 * by[0].abs()).round(),
+                    if by[0] > 0.0 { "fast" } else { "slow" }
+                );
+                (Kind::InputSpeed, "the input".to_owned(), how)
             }
             Laid::Angle(_) => {
                 let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };

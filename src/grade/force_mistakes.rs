@@ -7,8 +7,11 @@ use super::kind::Kind;
 use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
 use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
-use crate::mechanism::cycle::{CycleQuantity, RotatingInertia, Sides};
-use crate::mechanism::force::{Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Share, Size};
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::force::{
+    Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Pointing, Share, Size,
+};
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId, Slide};
@@ -33,6 +36,7 @@ impl List<'_, '_> {
         self.all_weights();
         self.loads_elsewhere(sheet);
         self.loads_calculated();
+        self.loads_turned();
         self.parallel_axes();
         self.left_out(sheet);
         self.handed_on_reversed(sheet);
@@ -100,6 +104,9 @@ impl List<'_, '_> {
             self.add(Kind::CoupleWithAlpha, &couple, None, price + 0.1, Change::drawn(sense));
             let none = vec![Departure::Offset { link, factor: 0.0 }];
             self.add(Kind::ForceLeftOut, &couple, None, price + 0.25, Change::drawn(none));
+            // Not found at all: it and its offset are nothing.
+            let not_found = vec![Departure::InertiaTorque { link, factor: 0.0 }];
+            self.add(Kind::ForceLeftOut, &couple, None, price + 0.5, Change::drawn(not_found));
         }
         for mass in masses.iter().filter(turns) {
             self.inertia_torque(mass, sheet);
@@ -155,14 +162,16 @@ impl List<'_, '_> {
             if of.len() > 1 {
                 groups.extend(of.iter().map(|mass| vec![*mass]));
             }
+            // M·g in the place of M, where only a mass is given.
+            let weighed = if weight { None } else { Some(1.0 / g) };
             for group in groups.into_iter().filter(|group| !group.is_empty()) {
                 let at = match group[..] {
                     [only] => format!("the mass of link {}", self.number(only.link)),
                     _ => "the masses".to_owned(),
                 };
                 let single = if group.len() == 1 && of.len() > 1 { 0.5 } else { PLAIN };
-                for (index, factor) in factors.iter().enumerate() {
-                    let factor = if weight { *factor } else { 1.0 / factor };
+                for (index, factor) in factors.iter().copied().chain(weighed).enumerate() {
+                    let factor = if weight { factor } else { 1.0 / factor };
                     let price = single + index as f64;
                     let inertia: Vec<Departure> = group
                         .iter()
@@ -256,9 +265,60 @@ impl List<'_, '_> {
         }
     }
 
+    /// A load laid off by another angle than the stated one, and one on a straight link from its other end.
+    fn loads_turned(&mut self) {
+        for (index, load) in self.case.mechanism.forces.loads.clone().iter().enumerate() {
+            let LoadKind::Force { pointing: Pointing::World(angle), .. } = load.kind else { continue };
+            let name = self.force_name(Force::Vector(Action::Load(index)));
+            let angle = angle.value;
+            for (how, other) in [
+                ("its angle counted from the other side", std::f64::consts::PI - angle),
+                ("its angle counted clockwise", -angle),
+                ("its angle counted from the y axis", FRAC_PI_2 - angle),
+            ] {
+                if libm::sin((other - angle) / 2.0).abs() > SAME_ARM {
+                    let change = Change::of_inputs(InputChange::LoadTurned { index, by: other - angle });
+                    self.add_so((Kind::LoadWrong, how.to_owned()), &name, None, 0.25, change);
+                }
+            }
+        }
+    }
+
+    /// M·d² added to a moment of inertia that is given about the mass centre.
+    fn added_for_parallel_axes(&mut self) {
+        let g = self.case.mechanism.forces.gravity.g.value;
+        for mass in self.case.mechanism.forces.masses.clone() {
+            let kg = match mass.heaviness {
+                Heaviness::Weight(weight) => weight.value / g,
+                Heaviness::Mass(mass) => mass.value,
+                Heaviness::None => continue,
+            };
+            let central = match mass.inertia {
+                Inertia::Central(inertia) => inertia.value,
+                Inertia::Gyration(radius) => kg * radius.value * radius.value,
+                Inertia::Point | Inertia::About(..) => continue,
+            };
+            let name = self.force_name(Force::InertiaTorque(mass.link));
+            let Some(centre) = self.place(mass.centre) else { continue };
+            for point in self.case.mechanism.link(mass.link).points.clone() {
+                let Some(at) = self.place(point).filter(|_| central > 0.0) else { continue };
+                let far = libm::hypot(at[0] - centre[0], at[1] - centre[1]);
+                let factor = 1.0 + kg * far * far / central;
+                if factor - 1.0 > SAME_ARM {
+                    let torque = Departure::InertiaTorque { link: Some(mass.link), factor };
+                    let point = &self.case.mechanism.point(point).name;
+                    let how = format!("I about {point} taken for I about the mass centre");
+                    let change = Change::drawn(vec![torque]);
+                    self.add_so((Kind::ParallelAxis, how), &name, None, PLAIN, change);
+                }
+            }
+        }
+    }
+
     /// A moment of inertia about another point of the link taken for that about the mass centre, or reckoned over to the
     /// wrong side.
     fn parallel_axes(&mut self) {
+        self.added_for_parallel_axes();
         for mass in self.case.mechanism.forces.masses.clone() {
             let Inertia::About(about, own) = mass.inertia else { continue };
             let (Some(from), Some(centre)) = (self.place(about), self.place(mass.centre)) else { continue };
@@ -724,6 +784,89 @@ impl List<'_, '_> {
         }
     }
 
+    /// A negative value of the table taken as positive, and the mean of the values in the place of that of the curve.
+    fn knots_of_diagram(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let (Sides::Torque(Course::Curve(curve)) | Sides::Load(Course::Curve(curve))) = &cycle.sides else {
+            return;
+        };
+        let Curve::Table { knots, .. } = curve.clone() else { return };
+        let unit = &self.case.scene.units.torque;
+        for (index, [at, torque]) in knots.iter().enumerate() {
+            if torque.value < 0.0 {
+                let read = |value: f64| super::misread::written(value / unit.si);
+                let how = format!(
+                    "{} read as {} {} at {}°",
+                    read(torque.value),
+                    read(-torque.value),
+                    unit.symbol,
+                    super::misread::written(at.value.to_degrees())
+                );
+                let change = Change::of_inputs(InputChange::Knot { index, factor: -1.0 });
+                self.add_so((Kind::LoadWrong, how), "the diagram", None, PLAIN, change);
+            }
+        }
+        // A table that ends where it begins tells its first value twice: some leave one out.
+        let mean = self.case.right_number(Quantity::Cycle(CycleQuantity::Mean));
+        let Some(mean) = mean.filter(|mean| *mean != 0.0) else { return };
+        for leave in 0..2.min(knots.len()) {
+            let counted = &knots[leave..];
+            let sum: f64 = counted.iter().map(|[_, torque]| torque.value).sum();
+            #[expect(clippy::cast_precision_loss, reason = "knots are few")]
+            let average = sum / counted.len() as f64;
+            let readings = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
+                of: Which::One(Quantity::Cycle(of)),
+                twist: Twist::scaled(average / mean),
+            });
+            let how = (Kind::WrongFormula, "the mean of the values, not of the area".to_owned());
+            let name = self.name(&Quantity::Cycle(CycleQuantity::Mean));
+            let read = Change { readings: readings.to_vec(), ..Change::default() };
+            self.add_so(how, &name, None, 0.5, read);
+        }
+    }
+
+    /// Numbers of the diagram by another formula than their own.
+    fn reckoned_otherwise(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let (period, there) = (cycle.period.value, self.case.rotating);
+        let right = |of: CycleQuantity| self.case.right_number(Quantity::Cycle(of));
+        let twisted = |of: CycleQuantity, factor: f64| {
+            let twist = Twist::scaled(factor);
+            Change::read(Misreading::Twisted { of: Which::One(Quantity::Cycle(of)), twist })
+        };
+        let plus = |of: CycleQuantity, by: f64| {
+            Change::read(Misreading::Plus { of: Quantity::Cycle(of), by: [by, 0.0] })
+        };
+        let mut ways = vec![(CycleQuantity::OfEnergy, "E_f/T_m in the place of E_f/E", {
+            twisted(CycleQuantity::OfEnergy, period)
+        })];
+        if there > 0.0 {
+            let flywheel = CycleQuantity::Flywheel;
+            ways.push((flywheel, "what turns already was not taken off", plus(flywheel, there)));
+            ways.push((flywheel, "what turns already was added", plus(flywheel, 2.0 * there)));
+        }
+        let levels = [CycleQuantity::Fluctuation, CycleQuantity::Highest, CycleQuantity::Lowest].map(right);
+        if let [Some(fluctuation), Some(highest), Some(lowest)] = levels
+            && fluctuation > 0.0
+        {
+            for (level, how) in [
+                (highest, "the highest level alone"),
+                (lowest.abs(), "the lowest level alone"),
+                ((highest + lowest).abs(), "the lowest level with the wrong sign"),
+            ] {
+                let factor = level / fluctuation;
+                if factor > 0.0 && (factor - 1.0).abs() > 1e-3 {
+                    let taken = Change::read(Misreading::Fluctuation { factor, inertia: there });
+                    ways.push((CycleQuantity::Fluctuation, how, taken));
+                }
+            }
+        }
+        for (of, how, change) in ways {
+            let name = self.name(&Quantity::Cycle(of));
+            self.add_so((Kind::WrongFormula, how.to_owned()), &name, None, PLAIN, change);
+        }
+    }
+
     /// The inertia of what turns with a weight for its mass or a diameter for its radius, and ω for ω² in what is reckoned
     /// from it.
     fn what_turns(&mut self) {
@@ -744,6 +887,27 @@ impl List<'_, '_> {
             for (kind, factor) in ways {
                 let change = Change::of_inputs(InputChange::Rotating { index, factor });
                 self.add(kind, &inertia, None, PLAIN, change);
+            }
+            let (kg, radius) = match one.inertia {
+                RotatingInertia::Central(_) => continue,
+                RotatingInertia::Mass(mass, radius) => (mass.value, radius.value),
+                RotatingInertia::Weight(weight, radius) => (weight.value / g, radius.value),
+            };
+            // With it what turns may be heavy enough already, and the flywheel lighter than nothing.
+            let ratio = one.ratio.value * one.ratio.value;
+            let (right, more) = (self.case.rotating, kg * ratio * (radius - radius * radius));
+            if right > 0.0 && more != 0.0 {
+                let twisted = |of: CycleQuantity, factor: f64| Misreading::Twisted {
+                    of: Which::One(Quantity::Cycle(of)),
+                    twist: Twist::scaled(factor),
+                };
+                let readings = vec![
+                    twisted(CycleQuantity::Inertia, (right + more) / right),
+                    twisted(CycleQuantity::OfSpeed, right / (right + more)),
+                    Misreading::Plus { of: Quantity::Cycle(CycleQuantity::Flywheel), by: [-more, 0.0] },
+                ];
+                let how = (Kind::WrongFormula, "M·k in the place of M·k²".to_owned());
+                self.add_so(how, &inertia, None, PLAIN, Change { readings, ..Change::default() });
             }
         }
         for of in [CycleQuantity::OfSpeed, CycleQuantity::Flywheel].map(Quantity::Cycle) {
@@ -771,22 +935,31 @@ impl List<'_, '_> {
             let read = Change { readings: means.to_vec(), ..Change::default() };
             self.add_so((Kind::OneTurnForTwo, "a whole turn".to_owned()), "the period", None, PLAIN, read);
         }
-        if (period / turn - 2.0).abs() < 1e-9 {
-            let at = "the period";
-            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+        // The whole diagram over half of its turns, or a mean alone over another number of turns.
+        let mean_over = |factor: f64| {
             let means = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
                 of: Which::One(Quantity::Cycle(of)),
-                twist: Twist::scaled(2.0),
+                twist: Twist::scaled(factor),
             });
-            let read = Change { readings: means.to_vec(), ..Change::default() };
-            self.add(Kind::OneTurnForTwo, at, None, 0.5, read);
+            Change { readings: means.to_vec(), ..Change::default() }
+        };
+        let at = "the period";
+        if (period / turn - 2.0).abs() < 1e-9 {
+            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+            self.add(Kind::OneTurnForTwo, at, None, 0.5, mean_over(2.0));
+        } else if (period / turn - 1.0).abs() < 1e-9 {
+            self.add(Kind::OneTurnForTwo, at, None, PLAIN, mean_over(0.5));
         }
+        self.knots_of_diagram();
+        self.reckoned_otherwise();
         self.areas_of_diagram();
         self.what_turns();
         let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
         if cycle.fluctuation.is_some() {
-            let half = Change::of_inputs(InputChange::Fluctuation(0.5));
-            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, half);
+            let change = |factor: f64| Change::of_inputs(InputChange::Fluctuation(factor));
+            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, change(0.5));
+            let doubled = (Kind::HalfFluctuation, "the whole range taken for it and doubled".to_owned());
+            self.add_so(doubled, "Ks", None, PLAIN, change(2.0));
         }
         let of_speed = Quantity::Cycle(CycleQuantity::OfSpeed);
         if self.observed().contains(&of_speed) {

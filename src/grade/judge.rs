@@ -10,8 +10,10 @@ use super::case::{Case, Observation, Room, Target, WIDE, size};
 use super::change::{Change, InputChange, Misreading, Which};
 use super::fitted;
 use super::kind::Kind;
+use super::misread;
 use super::mistakes::{self, Hypothesis, vector_of};
 use super::routes;
+use super::steps::By;
 use crate::graphical::construction::{Act, Calculation, Label, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force, Share};
@@ -66,6 +68,12 @@ pub(super) struct Fault {
 }
 
 impl Fault {
+    /// Whether nothing explains it, or only what comes near.
+    fn is_open(&self) -> bool {
+        let close = |mistake: &Mistake| mistake.also.is_none() && mistake.residual <= CLOSE;
+        !self.mistakes.first().is_some_and(close)
+    }
+
     /// Whether what explains it leaves something out, so that other numbers may rightly be nothing.
     fn leaves_out(&self) -> bool {
         self.mistakes.first().is_some_and(|mistake| mistake.parts().any(|part| part.kind.leaves_out()))
@@ -110,8 +118,20 @@ const PAIRED: usize = 6;
 /// What a second mistake costs.
 const SECOND: f64 = 8.0;
 
+/// A given number that was misread is carried through so many wrong answers at least.
+const CARRIED: usize = 3;
+/// So many earlier answers, each in so many ways, take their places where a mistake may have been made after them.
+const OWN: usize = 2;
+/// After so many faults that nothing explains a student's numbers belong to no drawing.
+const LOST: usize = 3;
+/// What follows from such numbers is met within this part of its room.
+const STRICT: f64 = 0.4;
+
 /// What it costs that a number was handed in of what is said to be left out.
 const NOT_LEFT_OUT: f64 = 3.0;
+
+/// Of two mistakes that lead to the same numbers the one by which something was forgotten is the likelier one.
+const FORGOTTEN: f64 = 0.05;
 
 /// How much nearer a mistake is that is made at the answer that shows it.
 const AT_HAND: f64 = 0.25;
@@ -135,7 +155,8 @@ struct Tried {
     moved: f64,
 }
 
-pub(super) fn judge(case: &Case<'_>) -> Judgement {
+/// Judges all answers; those `of_another` variant are right or wrong, for what they follow from is not this mechanism.
+pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
     let count = case.observations.len();
     let right: Vec<f64> =
         (0..count).map(|i| case.miss(i, case.truth[i].as_deref(), case.accepted(i))).collect();
@@ -150,18 +171,37 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
     let mut drawn = Change::default();
     let mut faults = Vec::new();
     let mut caused = vec![None; count];
+    if of_another {
+        let verdicts = verdicts.into_iter().map(|verdict| verdict.unwrap_or(Verdict::Wrong)).collect();
+        return Judgement {
+            verdicts,
+            faults: Vec::new(),
+            caused: vec![None; count],
+            drawn: Change::default(),
+        };
+    }
     while let Some(first) = verdicts.iter().position(Option::is_none) {
+        if routes::follows_from_right_numbers(case, &verdicts, first) {
+            verdicts[first] = Some(Verdict::Right);
+            continue;
+        }
+        // Numbers that belong to no drawing lead together near any number: what follows from them must be met, and only
+        // by what has all of them.
+        let lost = faults.iter().filter(|fault: &&Fault| fault.is_open()).count() >= LOST;
+        let width = if lost { EXPLAINED * STRICT } else { EXPLAINED };
         if !faults.is_empty()
             && let Some(base) = case.drawn(&drawn, None)
         {
-            let allowed = case.rooms[first].times(EXPLAINED);
-            if routes::follows(case, (&drawn, &base), &verdicts, first, allowed) {
+            let allowed = case.rooms[first].times(width);
+            let by = if lost { By::AllTogether } else { By::Any };
+            if routes::follows(case, (&drawn, &base), &verdicts, first, (allowed, by)) {
                 verdicts[first] = Some(Verdict::Consistent);
                 caused[first] = faults.len().checked_sub(1);
                 continue;
             }
         }
-        let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first };
+        let unexplained = faults.iter().any(|fault: &Fault| fault.mistakes.is_empty());
+        let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first, unexplained };
         let (mistakes, change) = judge.explain();
         verdicts[first] = Some(Verdict::Wrong);
         faults.push(Fault { first, mistakes });
@@ -172,7 +212,9 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         let rooms = case.rooms_of(&drawn, &seen, FEW);
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let Some(numbers) = seen[index].as_deref() else { continue };
-            let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(case.most(index, numbers));
+            let most = case.most(index, numbers);
+            let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(most);
+            let allowed = if lost { allowed.times(STRICT) } else { allowed };
             // That something is nothing shows nothing, but of what is left out by whoever has something else right.
             let tells = match case.hands_in_nothing(index) {
                 true => shown && case.is_zero(index) && faults.last().is_some_and(Fault::leaves_out),
@@ -195,6 +237,8 @@ struct Judge<'j, 's> {
     verdicts: &'j [Option<Verdict>],
     /// The answer to be explained.
     first: usize,
+    /// Whether nothing explains an earlier one.
+    unexplained: bool,
 }
 
 impl Judge<'_, '_> {
@@ -217,14 +261,26 @@ impl Judge<'_, '_> {
             tried
         };
         let mut tried = explained_by(&hypotheses);
-        // A number that is found explains more than one that is usual: it is sought where none of these does.
-        if tried.is_empty() {
-            tried = explained_by(&fitted::laid_off(self.case, self.drawn, &open));
+        let begins = !self.verdicts.contains(&Some(Verdict::Wrong));
+        if begins && open.iter().filter(|&&index| !self.case.hands_in_nothing(index)).count() >= CARRIED {
+            let misread = explained_by(&misread::all(self.case)).into_iter();
+            tried.extend(misread.filter(|one| self.leads_to_all(one)));
+            tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         }
-        // Two mistakes fit any one number: there must be more to be explained.
+        // A number that is found explains more than one that is usual: it is sought where none of these explains all that
+        // is open, or one answer.
+        if tried.first().is_none_or(|best| begins && !self.leads_to_all(best)) {
+            tried.extend(explained_by(&fitted::laid_off(self.case, self.drawn, &open)));
+            tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        }
+        if tried.is_empty() {
+            tried = self.after_own_values(&base);
+        }
+        // Two mistakes fit any one number: there must be more to be explained, and nothing before that nobody knows.
         let mut two = false;
         // Nor does any one number that is nothing.
-        if tried.is_empty() && open.len() > 1 && !self.case.hands_in_nothing(self.first) {
+        let plain = !self.unexplained && !self.case.hands_in_nothing(self.first);
+        if tried.is_empty() && open.len() > 1 && plain {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
         }
@@ -246,6 +302,35 @@ impl Judge<'_, '_> {
         (mistakes, change)
     }
 
+    /// One mistake that was made with the student's own earlier values, where none explains the answer by those that belong
+    /// to what is known of the drawing.
+    fn after_own_values(&self, base: &Sketch) -> Vec<Tried> {
+        let seen = self.case.seen(base, self.drawn);
+        let wrong = (0..self.first).filter(|&index| {
+            self.verdicts[index] == Some(Verdict::Wrong) && !self.case.hands_in_nothing(index)
+        });
+        let mut all = Vec::new();
+        for index in wrong.take(OWN) {
+            let own = own_values(self.case, base, &self.case.observations[index], seen[index].as_deref());
+            for way in own.into_iter().filter(Change::redraws).take(OWN) {
+                let drawn = self.drawn.and(&way);
+                let Some(sketch) = self.case.drawn(&drawn, None) else { continue };
+                let unmoved = self.case.seen_at(self.first, &sketch, &drawn);
+                let unmoved = self.case.miss(self.first, unmoved.as_deref(), self.case.rooms[self.first]);
+                let hypotheses = mistakes::all(self.case, &sketch, &drawn);
+                let mut tried = self.weighed(self.tried(&sketch, &hypotheses, &drawn));
+                tried.retain(|one| {
+                    unmoved - one.moved >= MOVES
+                        && self.mistake(one).residual <= CLOSE
+                        && !self.contradicts(one)
+                });
+                all.extend(tried);
+            }
+        }
+        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        all
+    }
+
     /// What one of the closest explanations leaves open may follow from what it explains by another way: that is counted
     /// for it, before one that comes near more answers and meets none.
     fn credit(&self, tried: &mut [Tried]) {
@@ -263,6 +348,7 @@ impl Judge<'_, '_> {
             verdicts[self.first] = Some(Verdict::Wrong);
             for &index in open.iter().filter(|&&i| one.misses[i] > EXPLAINED) {
                 let allowed = self.case.rooms[index].times(EXPLAINED);
+                let allowed = (allowed, By::Any);
                 if routes::follows(self.case, (&one.change, &sketch), &verdicts, index, allowed) {
                     verdicts[index] = Some(Verdict::Consistent);
                     one.cost += FOLLOWING - square(one.misses[index]).min(MOST);
@@ -392,6 +478,9 @@ impl Judge<'_, '_> {
         // Of two that explain as much, the one that is made at the answer that shows it.
         let here = hypothesis.at == self.case.observations[self.first].name;
         let mut cost = hypothesis.price - if here { AT_HAND } else { 0.0 };
+        if hypothesis.kind.leaves_out() {
+            cost -= FORGOTTEN;
+        }
         let moved = self.case.miss(self.first, seen[self.first].as_deref(), self.case.rooms[self.first]);
         let mut misses = Vec::with_capacity(seen.len());
         let mut cost_here = 0.0;
@@ -491,6 +580,7 @@ impl Judge<'_, '_> {
             true => Vec::new(),
             false => own_values(self.case, base, observation, before),
         };
+        ways.retain(|way| takes_its_place(self.case, &self.drawn.and(way), self.first));
         ways.push(Change::default());
         let mut best: Option<Tried> = None;
         for way in ways {
@@ -531,6 +621,20 @@ fn one_of_many(kind: Kind) -> bool {
             | Kind::InputAngle
     )
 }
+
+/// Whether a point of a polygon stands where the student has it, in a drawing that was changed so that it should: what is
+/// laid off backwards from it moves another one.
+pub(super) fn takes_its_place(case: &Case<'_>, changed: &Change, index: usize) -> bool {
+    if !matches!(case.observations[index].target, Target::Image(..)) {
+        return true;
+    }
+    let Some(sketch) = case.drawn(changed, None) else { return false };
+    let room = case.rooms[index].times(IN_PLACE);
+    case.miss(index, case.seen_at(index, &sketch, changed).as_deref(), room) <= 1.0
+}
+
+/// A point stands in its place within this part of its room.
+const IN_PLACE: f64 = 0.1;
 
 /// How a construction can go on from a student's own value.
 pub(super) fn own_values(

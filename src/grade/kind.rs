@@ -95,7 +95,7 @@ pub enum Kind {
     LoadsInShaking,
     /// The largest area was taken for the fluctuation of energy.
     LargestArea,
-    /// A cycle of two turns was reckoned as one of one.
+    /// A cycle was reckoned over another number of turns than it has.
     OneTurnForTwo,
     /// A fluctuation of ±x % was taken as x %.
     HalfFluctuation,
@@ -139,11 +139,17 @@ pub enum Kind {
     RateNotSquared,
     /// A centre lies on a line through centres that have no third link in common.
     WrongCentreLine,
+    /// A number was reckoned by another formula than its own.
+    WrongFormula,
+    /// Two answers were handed in for each other.
+    Interchanged,
+    /// The input was taken with another speed than the given one.
+    InputSpeed,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 68] = [
+    pub const ALL: [Self; 71] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -212,6 +218,9 @@ impl Kind {
         Self::LoadWrong,
         Self::RateNotSquared,
         Self::WrongCentreLine,
+        Self::WrongFormula,
+        Self::Interchanged,
+        Self::InputSpeed,
     ];
 
     /// Whether something is left out by it, which is then nothing.
@@ -300,6 +309,9 @@ impl Kind {
             Self::LoadWrong => "load-wrong",
             Self::RateNotSquared => "rate-not-squared",
             Self::WrongCentreLine => "wrong-centre-line",
+            Self::WrongFormula => "wrong-formula",
+            Self::Interchanged => "interchanged",
+            Self::InputSpeed => "input-speed",
         }
     }
 }

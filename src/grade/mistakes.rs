@@ -9,7 +9,7 @@ use crate::graphical::construction::{Act, Calculation, Claim, Construction, Labe
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Form, Input, LinkId, PointId};
 use crate::plan::DiagramPlan;
 
 /// A mistake that may have been made.
@@ -55,6 +55,9 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.calculator();
     list.skeleton();
     list.written_otherwise();
+    list.interchanged();
+    list.rates_by_wrong_distances();
+    list.slip_with_coriolis();
     list.directions();
     list.degrees();
     list.centres(so_far);
@@ -244,6 +247,128 @@ impl<'c> List<'c, '_> {
             let name = self.case.mechanism.point(point).name.clone();
             let change = Change::of_inputs(InputChange::Pivot { point, by });
             self.add(Kind::PivotMisplaced, &name, None, PLAIN, change);
+        }
+    }
+
+    /// Two answers of one kind handed in for each other.
+    fn interchanged(&mut self) {
+        let observed = self.observed();
+        let like = |one: &Quantity, other: &Quantity| {
+            let plain = |quantity: &Quantity| {
+                matches!(
+                    quantity,
+                    Quantity::Centre(..)
+                        | Quantity::Omega(_)
+                        | Quantity::Alpha(_)
+                        | Quantity::Velocity(_)
+                        | Quantity::Acceleration(_)
+                )
+            };
+            plain(one) && std::mem::discriminant(one) == std::mem::discriminant(other)
+        };
+        for (place, &one) in observed.iter().enumerate() {
+            for &other in observed[place + 1..].iter().filter(|other| like(&one, other)) {
+                let both = [(one, other), (other, one)].map(|(of, by)| Misreading::TakenFor { of, by });
+                let change = Change { readings: both.to_vec(), ..Change::default() };
+                let (name, how) = (self.name(&one), format!("with {}", self.name(&other)));
+                self.add_so((Kind::Interchanged, how), &name, None, 0.5, change);
+            }
+        }
+    }
+
+    /// ω of a link by the velocity of one of its points over a distance that is not that from its centre, and the distances
+    /// of two points from it interchanged.
+    fn rates_by_wrong_distances(&mut self) {
+        let mechanism = &self.case.mechanism;
+        let space = &self.construction.space;
+        let mut places: Vec<(String, [f64; 2])> = (0..mechanism.points.len())
+            .filter_map(|index| Some((mechanism.points[index].name.clone(), space.places[index]?)))
+            .collect();
+        let mut centres = Vec::new();
+        for (index, observation) in self.case.observations.iter().enumerate() {
+            if let (Some(of @ Quantity::Centre(i, j)), Some(&[x, y])) =
+                (observation.quantity, self.case.truth[index].as_deref())
+            {
+                let at = [x, y].map(|metres| metres / space.metres_per_mm);
+                places.push((self.name(&of), at));
+                centres.push((i, j, at));
+            }
+        }
+        // Without centres the polygons show from which vector a rate was calculated.
+        let Some(images) = polygon(self.construction, Order::Velocity).map(|polygon| &polygon.images) else {
+            return;
+        };
+        let image = |point: PointId| {
+            let label = Label::Image { point, link: None };
+            images.iter().rev().find(|image| image.label == label).map(|image| size(&image.at))
+        };
+        let distance = |a: [f64; 2], b: [f64; 2]| size(&difference(a, b)) * space.metres_per_mm;
+        let si = self.case.si_per_mm(Order::Velocity);
+        let mut found: Vec<(LinkId, f64, String, Vec<Misreading>)> = Vec::new();
+        for &(i, j, centre) in &centres {
+            let link = match (i, j) {
+                (LinkId::FRAME, link) | (link, LinkId::FRAME) => link,
+                _ => continue,
+            };
+            let Some(&(_, omega)) = self.omegas().iter().find(|(of, omega)| *of == link && *omega != 0.0)
+            else {
+                continue;
+            };
+            let points = &mechanism.link(link).points;
+            let twisted = |of: Quantity, factor: f64| Misreading::Twisted {
+                of: Which::One(of),
+                twist: Twist::scaled(factor),
+            };
+            for &point in points {
+                let (Some(speed), Some(at)) = (image(point), space.places[point.0]) else { continue };
+                let own = mechanism.point(point).name.as_str();
+                let mut add = |name: &str, length: f64, more: Option<Misreading>| {
+                    let factor = speed * si / length / omega.abs();
+                    if length > 0.0 && factor.is_finite() && (factor - 1.0).abs() > 0.01 {
+                        let readings = [twisted(Quantity::Omega(link), factor)].into_iter().chain(more);
+                        found.push((link, factor, format!("V of {own} over {name}"), readings.collect()));
+                    }
+                };
+                for (place, (from, a)) in places.iter().enumerate() {
+                    for (to, b) in &places[place + 1..] {
+                        add(&format!("{from} to {to}"), distance(*a, *b), None);
+                    }
+                }
+                for &other in points.iter().filter(|other| **other != point) {
+                    let Some(there) = space.places[other.0] else { continue };
+                    let ratio = distance(centre, at) / distance(centre, there);
+                    let carried = twisted(Quantity::Velocity(other), ratio * ratio);
+                    let name = format!("the distance of {}", mechanism.point(other).name);
+                    add(&name, distance(centre, there), Some(carried));
+                }
+            }
+        }
+        let price = 0.5 + one_of(found.len()) / 4.0;
+        for (link, _, how, readings) in found {
+            let name = self.name(&Quantity::Omega(link));
+            let change = Change { readings, ..Change::default() };
+            self.add_so((Kind::WrongFormula, how), &name, None, price, change);
+        }
+    }
+
+    /// A_B₂B₄ with Coriolis, which is no part of what slides.
+    fn slip_with_coriolis(&mut self) {
+        for of in self.observed() {
+            let Quantity::SlipAcceleration(point, link) = of else { continue };
+            let Some(vector) = vector_of(self.construction, &Quantity::Coriolis(point, link)) else {
+                continue;
+            };
+            let si = self.case.si_per_mm(Order::Acceleration);
+            let by = difference(vector.to, vector.from).map(|mm| mm * si);
+            let name = self.name(&of);
+            let read = Change::read(Misreading::Plus { of, by });
+            self.add_so(
+                (Kind::WrongFormula, "Coriolis was not taken off".to_owned()),
+                &name,
+                None,
+                0.25,
+                read,
+            );
         }
     }
 
@@ -1147,7 +1272,7 @@ impl<'c> List<'c, '_> {
                         Some(Departure::Image { order, point, at })
                     })
                     .collect();
-                let bent = !matches!(mechanism.link(link).form, crate::mechanism::Form::Line(_));
+                let bent = !matches!(mechanism.link(link).form, Form::Line(_));
                 if !bent && !mechanism.is_fixed(point) && !departures.is_empty() {
                     found.push((point, departures));
                 }
@@ -1163,8 +1288,84 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// A point of a straight link laid off from the other end, in the skeleton and so in all that hangs on it.
+    fn laid_off_from_other_end(&mut self) {
+        let mechanism = &self.case.mechanism;
+        for link in mechanism.moving() {
+            let Form::Line(places) = &mechanism.link(link).form else { continue };
+            let points = &mechanism.link(link).points;
+            for (end, (place, &point)) in places.iter().zip(points).enumerate().skip(1) {
+                let own = place.value - places[0].value;
+                let others = places.iter().zip(points).skip(1).filter(|(_, other)| **other != point);
+                for (other, from) in others {
+                    let factor = (other.value - place.value) / own;
+                    if factor.is_finite() && factor != 0.0 && (factor - 1.0).abs() > SAME_LENGTH {
+                        let at = mechanism.point(point).name.clone();
+                        let how = format!("from {}", mechanism.point(*from).name);
+                        let change = Change::of_inputs(InputChange::Length { link, ends: [0, end], factor });
+                        self.add_so((Kind::ProportionFromOtherEnd, how), &at, None, 0.25, change);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The vector of a point that is found by its image turned about, that of another point of the link taken for it, or
+    /// one part of an acceleration for the whole.
+    fn image_taken_otherwise(&mut self, point: PointId, others: &[PointId]) {
+        for order in [Order::Velocity, Order::Acceleration] {
+            let whole = |point: PointId| match order {
+                Order::Velocity => Quantity::Velocity(point),
+                _ => Quantity::Acceleration(point),
+            };
+            let Some(images) = polygon(self.construction, order).map(|polygon| &polygon.images) else {
+                continue;
+            };
+            let image = |point: PointId| {
+                let label = Label::Image { point, link: None };
+                images.iter().rev().find(|image| image.label == label).map(|image| image.at)
+            };
+            let Some(own) = image(point) else { continue };
+            let name = self.name(&whole(point));
+            let mut ways = vec![(Kind::SenseReversed, None, 0.25, own.map(|x| -x))];
+            for other in others {
+                let taken = image(*other).map(|at| {
+                    let how = format!("that of {}", self.case.mechanism.point(*other).name);
+                    (Kind::NeighbourRead, Some(how), 1.0, at)
+                });
+                ways.extend(taken);
+            }
+            if let (Order::Acceleration, Some(normal)) = (order, self.normal_about_pivot(point, others)) {
+                let left_out = Some("of its acceleration".to_owned());
+                ways.push((Kind::NormalMissing, left_out, 0.5, difference(own, normal)));
+                ways.push((Kind::AlphaIgnored, None, 0.5, normal));
+            }
+            for (kind, how, price, at) in ways {
+                let name = match kind {
+                    Kind::NormalMissing => self.name(&Quantity::Normal(point)),
+                    _ => name.clone(),
+                };
+                let change = Change::drawn(vec![Departure::Image { order, point, at }]);
+                self.found.push(Hypothesis { kind, at: name, step: None, price, change, how });
+            }
+        }
+    }
+
+    /// ω² l of a point about a fixed one of its link, millimetres of the acceleration polygon.
+    fn normal_about_pivot(&self, point: PointId, others: &[PointId]) -> Option<[f64; 2]> {
+        let mechanism = &self.case.mechanism;
+        let pivot = others.iter().find(|other| mechanism.is_fixed(**other))?;
+        let space = &self.construction.space;
+        let arm = difference(space.places[point.0]?, space.places[pivot.0]?);
+        let of = |link: &LinkId| mechanism.link(*link).points.contains(&point);
+        let (_, omega) = self.omegas().into_iter().find(|(link, _)| of(link))?;
+        let mm = -omega * omega * space.metres_per_mm / self.case.si_per_mm(Order::Acceleration);
+        Some(arm.map(|part| part * mm))
+    }
+
     fn images(&mut self) {
         self.divided_off();
+        self.laid_off_from_other_end();
         let mut further: Vec<(LinkId, PointId)> = Vec::new();
         let moving = |diagram: &&DiagramPlan| diagram.kind != DiagramKind::Skeleton;
         for step in self.case.plan.diagrams.iter().filter(moving).flat_map(|diagram| &diagram.steps) {
@@ -1175,6 +1376,7 @@ impl<'c> List<'c, '_> {
         for (link, point) in further {
             let others = &self.case.mechanism.link(link).points;
             let others: Vec<PointId> = others.iter().copied().filter(|p| *p != point).collect();
+            self.image_taken_otherwise(point, &others);
             // From a fixed point it is the vector itself that has the opposite sense.
             for &from in others.iter().filter(|p| !self.case.mechanism.is_fixed(**p)) {
                 let relative = [

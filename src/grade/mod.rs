@@ -33,6 +33,8 @@ mod fitted;
 mod force_mistakes;
 mod judge;
 mod kind;
+mod mean_line;
+mod misread;
 mod mistakes;
 mod nearest;
 mod page;
@@ -45,6 +47,7 @@ mod svg;
 mod symbols;
 mod text;
 mod turned;
+mod variant;
 mod weight;
 mod words;
 
@@ -62,6 +65,7 @@ pub use report::{Allowed, Amiss, FirstFault, Graded, Report, StepMarks};
 pub use scan::Scan;
 pub use schema::schema;
 pub use symbols::Symbols;
+pub use variant::Key;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
@@ -120,7 +124,7 @@ pub enum GradeError {
 /// See [`GradeError`].
 pub fn grade(scene: &Scene, answers: &Answers, settings: &GradeSettings) -> Result<Report, GradeError> {
     let case = case::Case::new(scene, answers, settings)?;
-    let judgement = judge::judge(&case);
+    let judgement = judge::judge(&case, answers.other_variant.is_some());
     Ok(report::report(&case, answers, &judgement))
 }
 
@@ -135,7 +139,7 @@ pub fn grade_with_overlay(
     settings: &GradeSettings,
 ) -> Result<(Report, Option<Figure>), GradeError> {
     let case = case::Case::new(scene, answers, settings)?;
-    let judgement = judge::judge(&case);
+    let judgement = judge::judge(&case, answers.other_variant.is_some());
     let report = report::report(&case, answers, &judgement);
     let student = case.drawn(&judgement.drawn, None);
     let student = student.as_ref().unwrap_or(&case.right);

@@ -58,7 +58,10 @@ impl Report {
             let verdict = match (graded.verdict, graded.wrong_in()) {
                 (Verdict::Wrong, Some(part)) => format!("wrong: {part}"),
                 (verdict, _) if graded.charged => format!("{}, which costs its mark here", verdict.told()),
-                (verdict, _) => verdict.told().to_owned(),
+                (verdict, _) => match graded.silent() {
+                    Some(untold) => format!("{}, but its {untold} is not told", verdict.told()),
+                    None => verdict.told().to_owned(),
+                },
             };
             let _ = writeln!(
                 page,
@@ -88,7 +91,7 @@ impl Report {
         let _ = writeln!(page, "</table>\n<p class=\"sum\">{} of {} marks</p>", marks(reached), marks(of));
         let wrong: Vec<_> =
             self.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong).collect();
-        if !wrong.is_empty() {
+        if !wrong.is_empty() && self.other_variant.is_none() {
             page.push_str("<ol>\n");
             for graded in wrong {
                 let said = sentences(graded).join(" ");

@@ -28,8 +28,12 @@ pub struct Report {
     /// By how much the drawing lies turned on its sheet, degrees counter-clockwise; it was turned back before it was
     /// compared.
     pub turned: Option<f64>,
+    /// How many times larger than at the sheet's scale the skeleton was drawn as a whole; it was compared at its own.
+    pub enlarged: Option<f64>,
     /// Whether the answers state a `tolerance`, which did not count.
     pub tolerances_ignored: bool,
+    /// The variant of the exam to which the answers belong, where that is another one.
+    pub other_variant: Option<String>,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -47,6 +51,8 @@ pub struct Graded {
     pub rounding: f64,
     /// Whether only a magnitude was handed in.
     pub magnitude_only: bool,
+    /// What of it is not told where only a magnitude was handed in: `direction` or `sense`.
+    pub untold: Option<&'static str>,
     /// Whether the sign of the number is a sense of turning.
     pub turns: bool,
     /// What is right; empty where it is not determined.
@@ -188,7 +194,9 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         marks,
         symbols: case.symbols(),
         turned: case.turns.told(),
+        enlarged: case.enlarged,
         tolerances_ignored: case.tolerances_ignored,
+        other_variant: answers.other_variant.clone(),
     }
 }
 
@@ -383,6 +391,7 @@ fn graded(
         per_mm: observation.on_paper.then(|| case.si_of_answer(observation) / si),
         rounding: observation.rounding / si,
         magnitude_only,
+        untold: observation.quantity.filter(|_| magnitude_only && !observation.on_paper).and_then(untold),
         turns: observation.quantity.is_some_and(|quantity| turns(&quantity)),
         right: in_unit(right),
         tolerance: room.by / si,
@@ -405,6 +414,14 @@ fn graded(
 /// Whether the sign of a quantity is a sense of turning, and told as one.
 fn turns(quantity: &Quantity) -> bool {
     quantity.nature() == Nature::Rotation
+}
+
+/// What else than a magnitude somebody may tell of a quantity.
+fn untold(quantity: Quantity) -> Option<&'static str> {
+    if turns(&quantity) {
+        return Some("sense");
+    }
+    super::answers::is_vector(&quantity).then_some("direction")
 }
 
 /// Which part of its marks an answer has that follows rightly and does not say where it points.
@@ -505,8 +522,14 @@ impl Report {
         if let Some(turned) = self.turned {
             report["turned_deg"] = json!(turned);
         }
+        if let Some(factor) = self.enlarged {
+            report["skeleton_larger"] = json!(factor);
+        }
         if self.tolerances_ignored {
             report["tolerances_ignored"] = json!(true);
+        }
+        if let Some(variant) = &self.other_variant {
+            report["answers_of_variant"] = json!(variant);
         }
         if let Some(student) = &self.student {
             report["student"] = json!(student);

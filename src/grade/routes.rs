@@ -9,7 +9,8 @@ use super::answers::Given;
 use super::case::{Case, Room, Target, direction, polygon, size};
 use super::change::Change;
 use super::judge::Verdict;
-use super::steps;
+use super::mean_line::Cut;
+use super::steps::{self, By};
 use crate::graphical::Sketch;
 use crate::graphical::construction::{Act, Calculation, Label, Reference};
 use crate::mechanism::cycle::CycleQuantity;
@@ -47,7 +48,7 @@ pub(super) fn follows(
     (drawn, base): (&Change, &Sketch),
     verdicts: &[Option<Verdict>],
     index: usize,
-    allowed: Room,
+    (allowed, by): (Room, By),
 ) -> bool {
     let seen = &case.seen(base, drawn);
     let desk = Desk { case, base, seen, verdicts, index };
@@ -57,7 +58,21 @@ pub(super) fn follows(
         let room = Room { by: allowed.by * larger, ..allowed }.and(case.most(index, numbers));
         case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
-    desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, index, &fits)
+    desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, (index, by), &fits)
+}
+
+/// Whether a number of a turning-moment diagram follows from the student's own numbers of it, all of them right: a mean
+/// within its room may move a small level by more than that has.
+pub(super) fn follows_from_right_numbers(
+    case: &Case<'_>,
+    verdicts: &[Option<Verdict>],
+    index: usize,
+) -> bool {
+    let Some(Quantity::Cycle(target)) = case.observations[index].quantity else { return false };
+    let desk = Desk { case, base: &case.right, seen: &case.truth, verdicts, index };
+    let room = case.rooms[index].times(OF_RIGHT);
+    let fits = |own: &Own<f64>| !own.wrong && case.miss(index, Some(&[own.value]), room) <= 1.0;
+    desk.of_cycle(target).iter().any(fits)
 }
 
 /// Where a centre would be found on one right line and on one through two centres that no third link has in common, with
@@ -942,17 +957,22 @@ impl Desk<'_, '_> {
     /// ω by the distances of the centre that a link shares with another from the poles of both.
     fn rates_by_centres(&self, link: LinkId) -> Vec<Own<f64>> {
         let Some(pole) = self.centre(LinkId::FRAME, link) else { return Vec::new() };
+        // V over the distance, as the book has it, or V square to the distance: of a centre that is wrong they differ.
         let ratio = |(rate, other, shared): (Own<f64>, Own<Xy>, Own<Xy>)| {
             let speed = rate.with(other, |rate, other| (rate, other));
             let speed =
                 speed.with(shared, |(rate, other), shared| (times(minus(shared, other), rate), shared));
-            speed.with(pole, |(speed, shared), pole| {
-                let arm = minus(shared, pole);
-                let square = arm[0] * arm[0] + arm[1] * arm[1];
-                (speed[0] * arm[0] + speed[1] * arm[1]) / square
-            })
+            let over = |whole: bool| {
+                speed.with(pole, |(speed, shared), pole| {
+                    let arm = minus(shared, pole);
+                    let across = (speed[0] * arm[0] + speed[1] * arm[1]) / size(&arm);
+                    let across = if whole { size(&speed).copysign(across) } else { across };
+                    across / size(&arm)
+                })
+            };
+            [over(true), over(false)]
         };
-        self.shared_centres(link).into_iter().map(ratio).filter(|own| own.value.is_finite()).collect()
+        self.shared_centres(link).into_iter().flat_map(ratio).filter(|own| own.value.is_finite()).collect()
     }
 
     /// What is reckoned from other numbers of a turning-moment diagram and what is given of it.
@@ -993,7 +1013,26 @@ impl Desk<'_, '_> {
             }
             _ => Vec::new(),
         };
-        ways.into_iter().flatten().filter(|own| own.value.is_finite()).collect()
+        let by_mean = self.on_own_mean_line(target);
+        ways.into_iter().flatten().chain(by_mean).filter(|own| own.value.is_finite()).collect()
+    }
+
+    /// What the given curve tells, cut at the student's own mean: only where the right mean leads to the right number.
+    fn on_own_mean_line(&self, target: CycleQuantity) -> Option<Own<f64>> {
+        let sheet = self.case.cycle.as_ref()?;
+        let &[right] = self.case.truth[self.index].as_deref()? else { return None };
+        let mean = sheet.curves[sheet.constant?].first()?[1];
+        let read = |mean: f64| Cut::new(sheet, mean)?.number(target);
+        if (read(mean)? - right).abs() > SAME_CUT * right.abs().max(self.case.rooms[self.index].by) {
+            return None;
+        }
+        let own = self.scalar(Quantity::Cycle(CycleQuantity::Mean)).or_else(|| {
+            let period = sheet.period;
+            Some(self.scalar(Quantity::Cycle(CycleQuantity::Work))?.map(|work| work / period))
+        })?;
+        // Of a resisting torque the mean has its sign in the diagram.
+        let value = read(if mean < 0.0 { -own.value.abs() } else { own.value })?;
+        Some(Own { value, wrong: own.wrong })
     }
 
     /// ω = V / l or ε = Aᵗ / l by any two points of the link.
@@ -1033,6 +1072,12 @@ impl Desk<'_, '_> {
 
 /// An image that stands farther from where it should, as a part of its distance from the pole, is another one.
 const MOVED: f64 = 1e-6;
+
+/// A number that follows from right ones is met within this part of its room.
+const OF_RIGHT: f64 = 0.5;
+
+/// A curve of straight pieces leads to a number of the diagram within this part.
+const SAME_CUT: f64 = 0.02;
 
 /// The sine of the flattest crossing at which a pencil still finds a point.
 const FLAT: f64 = 0.05;

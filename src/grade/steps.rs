@@ -3,7 +3,7 @@
 
 use super::case::{Case, Target, polygon, size};
 use super::change::Change;
-use super::judge::{Verdict, own_values};
+use super::judge::{Verdict, own_values, takes_its_place};
 use super::routes::omega_of;
 use crate::graphical::construction::Label;
 use crate::graphical::{Departure, Sketch};
@@ -13,13 +13,22 @@ use crate::mechanism::{Input, LinkId, PointId, Rider};
 /// So many drawings are made at most to see whether one answer follows.
 const DRAWINGS: usize = 240;
 
+/// Which of a student's wrong answers take their places in a drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// All of them, each alone, and any two.
+    Any,
+    /// All of them together.
+    AllTogether,
+}
+
 /// Whether the solution's own steps lead from the student's wrong answers to this one. The right drawing goes on from
 /// them, and the drawing as it is known.
 pub(super) fn lead_to(
     case: &Case<'_>,
     drawn: &Change,
     verdicts: &[Option<Verdict>],
-    index: usize,
+    (index, by): (usize, By),
     fits: &dyn Fn(&[f64]) -> bool,
 ) -> bool {
     let judged = |wanted: &[Verdict]| -> Vec<usize> {
@@ -36,16 +45,22 @@ pub(super) fn lead_to(
     let bases: &[&Change] = if drawn.redraws() { &[&plain, drawn] } else { &[&plain] };
     for &base in bases {
         let Some(sketch) = case.drawn(base, None) else { continue };
-        if by_image_of_guides(case, &sketch).iter().any(|way| {
-            let change = base.and(way);
-            let Some(sketch) = case.drawn(&change, None) else { return false };
-            case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
-        }) {
+        if by == By::Any
+            && by_image_of_guides(case, &sketch).iter().any(|way| {
+                let change = base.and(way);
+                let Some(sketch) = case.drawn(&change, None) else { return false };
+                case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
+            })
+        {
             return true;
         }
         let seen = case.seen(&sketch, base);
         let ways = |of: &[usize]| -> Vec<Vec<Change>> {
-            let of = of.iter().map(|&other| ways_of(case, &sketch, other, seen[other].as_deref()));
+            let of = of.iter().map(|&other| {
+                let mut ways = ways_of(case, &sketch, other, seen[other].as_deref());
+                ways.retain(|way| takes_its_place(case, &base.and(way), other));
+                ways
+            });
             of.filter(|ways| !ways.is_empty()).collect()
         };
         let (wrong, right) = (ways(&wrong), ways(&right));
@@ -55,7 +70,7 @@ pub(super) fn lead_to(
             case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
                 && is_the_students(case, verdicts, index, &case.seen(&sketch, &change))
         };
-        if tried(&wrong, &right).iter().take(DRAWINGS).any(leads) {
+        if tried(&wrong, &right, by).iter().take(DRAWINGS).any(leads) {
             return true;
         }
     }
@@ -85,8 +100,9 @@ fn is_the_students(
 /// An answer is met by a drawing of the student's own numbers if it misses by no more than so many tolerances.
 const HIS: f64 = 1.5;
 
-/// Own answers in the drawing: all of them, with and without those that are right, each alone, and any two.
-fn tried(wrong: &[Vec<Change>], right: &[Vec<Change>]) -> Vec<Change> {
+/// Own answers in the drawing: all of them, with and without those that are right; each alone, and any two, where that is
+/// wanted.
+fn tried(wrong: &[Vec<Change>], right: &[Vec<Change>], by: By) -> Vec<Change> {
     let mut tried = Vec::new();
     let most = wrong.iter().map(Vec::len).max().unwrap_or(0);
     let nth = |ways: &[Vec<Change>], n: usize| {
@@ -98,6 +114,9 @@ fn tried(wrong: &[Vec<Change>], right: &[Vec<Change>]) -> Vec<Change> {
         let all = nth(wrong, n);
         tried.push(held.and(&all));
         tried.push(all);
+    }
+    if by == By::AllTogether {
+        return tried;
     }
     for way in wrong.iter().flatten() {
         tried.push(way.clone());

@@ -62,6 +62,13 @@ impl Graded {
         }
     }
 
+    /// What is not told of an answer that is right or follows rightly, as far as it goes.
+    #[must_use]
+    pub fn silent(&self) -> Option<&'static str> {
+        let holds = matches!(self.verdict, Verdict::Right | Verdict::Consistent);
+        self.untold.filter(|_| holds && self.right.iter().any(|right| right.abs() > self.tolerance))
+    }
+
     /// Why it may be off by that.
     #[must_use]
     pub fn because(&self) -> String {
@@ -159,8 +166,22 @@ impl Report {
             let by = digits(turned.abs(), 0.1);
             format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared.")
         });
+        let enlarged = self.enlarged.map(|factor| {
+            let (times, how) = if factor < 1.0 { (1.0 / factor, "smaller") } else { (factor, "larger") };
+            let times = trimmed(&digits(times, 0.01));
+            format!(
+                "Your skeleton is {times} times {how} than at the sheet's scale; it was compared at its own."
+            )
+        });
         let stated = "The tolerance that these answers state does not count: the examiner sets it.";
-        turned.into_iter().chain(self.tolerances_ignored.then(|| stated.to_owned())).collect()
+        let variant = self.other_variant.as_ref().map(|variant| {
+            format!(
+                "These are the answers of variant {variant}: the number of the variant is wrong, or they are not the student's own. \
+                 Nothing follows from them."
+            )
+        });
+        let stated = self.tolerances_ignored.then(|| stated.to_owned());
+        variant.into_iter().chain(turned).chain(enlarged).chain(stated).collect()
     }
 
     /// The report as text.
@@ -180,7 +201,7 @@ impl Report {
         for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
             let [a, b] = widths;
             let _ = writeln!(text, "{name:<a$}  {given:<b$}  {verdict}");
-            if graded.verdict != Verdict::Wrong {
+            if graded.verdict != Verdict::Wrong || self.other_variant.is_some() {
                 continue;
             }
             for line in sentences(graded) {
@@ -191,7 +212,7 @@ impl Report {
             let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
             let _ = writeln!(text, "not answered: {}", self.symbols.plain(&names.join(", ")));
         }
-        if let Some(fault) = self.first_fault() {
+        if let (Some(fault), None) = (self.first_fault(), &self.other_variant) {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
             let _ = writeln!(text, "first fault{place}, {}", self.symbols.plain(&fault.text()));
         }
@@ -237,15 +258,14 @@ fn row(graded: &Graded, symbols: &Symbols) -> [String; 3] {
         Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
     };
     let unasked = match (graded.asked, graded.share < 1.0) {
-        _ if graded.charged => ", which costs its mark here",
-        (false, _) => ", no marks",
+        _ if graded.charged => ", which costs its mark here".to_owned(),
+        (false, _) => ", no marks".to_owned(),
         (true, true) if graded.verdict == Verdict::Wrong && graded.reached() > 0.0 => {
-            ", with marks for the part that is right"
+            ", with marks for the part that is right".to_owned()
         }
-        (true, true) if graded.reached() > 0.0 => ", but its sense or direction is not told",
-        _ => "",
+        _ => graded.silent().map_or(String::new(), |untold| format!(", but its {untold} is not told")),
     };
-    [symbols.plain(&graded.name), graded.handed_in(), verdict + unasked]
+    [symbols.plain(&graded.name), graded.handed_in(), verdict + &unasked]
 }
 
 /// Marks as people write them.

@@ -10,6 +10,8 @@ use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 const LEVEL: f64 = 0.0145;
 /// Two figures that are turned alike to this lie on one sheet, radians.
 const ALIKE: f64 = 0.026;
+/// A skeleton that is larger or smaller by no more than this part was drawn at the scale of the sheet.
+const SAME_SCALE: f64 = 1.05;
 /// What is shorter than this on paper (mm) does not tell how it is turned.
 const SHORT: f64 = 6.0;
 /// A point that lies, turned back, within this of its place (mm) was drawn rightly.
@@ -110,6 +112,23 @@ pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Foun
     }
 }
 
+/// How many times larger than the sheet's a skeleton is drawn as a whole, where two fixed points tell that and the points
+/// that hang on them lie better so.
+pub(super) fn enlarged(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<f64> {
+    let [(from, to), (second, there)] = two_fixed(mechanism, right, found)?;
+    let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| libm::hypot(bx - ax, by - ay);
+    let factor = apart(from, second) / apart(to, there);
+    if !(factor > 0.0 && factor.is_finite()) || libm::log(factor).abs() < libm::log(SAME_SCALE) {
+        return None;
+    }
+    let turn = laid_down(mechanism, right, found)?;
+    let moving = |target: Target| matches!(target, Target::Place(point) if !mechanism.is_fixed(point));
+    let own = pairs_of(mechanism, right, found, moving)?;
+    let back = |[own, right]: &Pair| [own.map(|mm| mm / factor), *right];
+    let smaller: Vec<Pair> = own.iter().map(back).collect();
+    (count_near(&smaller, turn) > count_near(&own, turn).max(count_near(&own, 0.0))).then_some(factor)
+}
+
 /// Whether a turn is no right angle and no half turn.
 fn is_clear(turn: f64) -> bool {
     let quarter = std::f64::consts::FRAC_PI_2;
@@ -123,14 +142,22 @@ fn angle(of: f64) -> f64 {
 
 /// How two fixed points lay down a skeleton.
 fn laid_down(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<f64> {
+    let [(from, to), (second, there)] = two_fixed(mechanism, right, found)?;
+    let along = |a: [f64; 2], b: [f64; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]);
+    Some(angle(along(to, there) - along(from, second)))
+}
+
+/// Two fixed points as a student has them, with their right places.
+fn two_fixed(
+    mechanism: &Mechanism,
+    right: &Construction,
+    found: &Found<'_>,
+) -> Option<[([f64; 2], [f64; 2]); 2]> {
     let mut fixed = found.points.iter().filter_map(|(_, at, target)| match target {
         Target::Place(point) if mechanism.is_fixed(*point) => Some((*at, right.space.places[point.0]?)),
         _ => None,
     });
-    let (from, to) = fixed.next()?;
-    let (second, there) = fixed.next()?;
-    let along = |a: [f64; 2], b: [f64; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]);
-    Some(angle(along(to, there) - along(from, second)))
+    Some([fixed.next()?, fixed.next()?])
 }
 
 fn pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {

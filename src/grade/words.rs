@@ -84,6 +84,9 @@ impl Mistake {
             Kind::LoadWrong => format!("{at}: calculated wrongly from what is given"),
             Kind::RateNotSquared => format!("{at}: ω in the place of ω²"),
             Kind::WrongCentreLine => format!("{at}: found on a line on which it does not lie"),
+            Kind::Interchanged => format!("{at} interchanged"),
+            Kind::InputSpeed => format!("{at} with another speed than the given one"),
+            Kind::WrongFormula => format!("{at}: calculated by another formula"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -99,7 +102,9 @@ impl Mistake {
             Kind::PerpendicularForParallel => {
                 "What turns about a point moves square to the line to it; what slides moves along its guide."
             }
-            Kind::NormalAwayFromCentre => "The normal part of B against A points from B toward A.",
+            Kind::NormalAwayFromCentre => {
+                "A normal part points along its link, toward the point about which the other one turns."
+            }
             Kind::NormalOfWrongLink => "V, ω, length and direction of a normal part are those of one link.",
             Kind::NormalMissing => {
                 "Whatever turns has a normal part ω²·l toward the centre, with or without an angular acceleration."
@@ -128,13 +133,15 @@ impl Mistake {
                 "The image of a link is read round its corners in the same sense as the link itself."
             }
             Kind::TangentialWrongLength => {
-                "The tangential part belongs to the length between its two points."
+                "Velocity or tangential part, ω or ε and the length belong to the same two points of one link."
             }
             Kind::AlphaIgnored => {
                 "A link with an angular acceleration has a tangential part ε·l besides its normal part."
             }
             Kind::AlphaSign => "Draw the sense of the angular acceleration on the skeleton and follow it.",
-            Kind::RelativeReversed => "V of B against A leads from a to b in the polygon.",
+            Kind::RelativeReversed => {
+                "A relative vector leads from the image of the point behind the stroke to that of the point before it."
+            }
             Kind::WrongPole => {
                 "Absolute vectors begin at the pole, relative ones at the image of the point behind the stroke."
             }
@@ -148,7 +155,7 @@ impl Mistake {
             Kind::WeightAsMass => "Divide a weight by g before you multiply it by an acceleration.",
             Kind::MassAsWeight => "A weight is M·g; in M·A stands the mass itself.",
             Kind::ReactionForAction => {
-                "F₂₃ is the force of link 2 on link 3: on link 2 it has the opposite sense."
+                "The first index is the link that pushes, the second the one that is pushed: interchanged, the sense is the opposite."
             }
             Kind::ArmToPin => "An arm is square to the line of its force.",
             Kind::ArmUnscaled => "Multiply arms that you measure by the scale of the skeleton.",
@@ -211,6 +218,9 @@ impl Mistake {
             Kind::WrongCentreLine => {
                 "The centre of links i and j lies on the line through those that both have with one third link."
             }
+            Kind::Interchanged => "Look which of the two belongs to which name.",
+            Kind::InputSpeed => "Read the given speed once more, with its unit.",
+            Kind::WrongFormula => "Write the formula down with its letters before you put numbers in.",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }

@@ -110,7 +110,7 @@ pub fn answer_form(scene: &Scene, numbers: &[(&Asked, Part, String)], language: 
                 write(&mut page, line, MARGIN, first + 4.4 * place as f64, SMALL, "caption");
             }
             write_box(&mut page, MARGIN + 84.0, y, BOX);
-            let unit = unit.replace("^2", "²").replace("deg", "°");
+            let unit = super::human::pretty(unit);
             write(&mut page, &Rich::upright(unit), MARGIN + 84.0 + BOX.0 + 3.0, y + 6.0, LABEL, "caption");
             y += ROW;
         }
