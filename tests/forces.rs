@@ -835,3 +835,54 @@ fn own_coordinates_of_a_driven_link() {
         }
     }
 }
+
+#[test]
+fn a_torsion_spring_on_a_wheel_turns_with_it() {
+    // A wheel of one joint has the world's axes here: 50 N·m/rad and 30 degrees back from free; 20 and 50 teeth.
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O3": [140, 0] },
+        "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["O3"] } },
+        "rolls": [{ "links": [2, 3], "centres": ["O2", "O3"], "teeth": [20, 50], "module": 4 }],
+        "input": { "link": 2, "angle": 0, "omega": -100 },
+        "springs": [{ "name": "t", "links": [1, 3], "stiffness": 50, "free": -30 }],
+        "find": ["T(2)", "spring(t)"] }"#,
+    );
+    let found = answers(&scene);
+    let torque = 50.0 * (-30.0_f64).to_radians();
+    near(found["spring(t)"].0[0], torque);
+    // What the spring exerts on 3 the teeth hold, by the ratio of the wheels, which turn against each other.
+    near(found["T(2)"].0[0], torque * 20.0 / 50.0);
+}
+
+#[test]
+fn an_offset_is_at_infinity_where_a_couple_acts_alone() {
+    let scene = |mass: &str, alpha: &str| {
+        read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }}, "3": {{ "joins": ["A", "B"], "length": 180 }} }},
+            "slides": [{{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }}], "near": {{ "B": [220, 0] }},
+            "input": {{ "link": 2, "angle": 40, "omega": 10, "alpha": {alpha} }},
+            "masses": {{ {mass} }}, "find": ["h(2)", "h(3)", "T(2)"] }}"#
+        ))
+    };
+    let offset = |scene: &Scene, name: &str| {
+        let solved = solve(scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+        let drawn = solved.answer(scene, name).unwrap().clone();
+        let analytic = linkgram::solve::solve_analytically(scene);
+        let agreement = linkgram::check::agreement(scene, &solved, &analytic);
+        assert!(agreement.ok(), "{:?} {:?}", agreement.refused, agreement.disagreements());
+        drawn
+    };
+    // On the pivot by its name or by coordinates, and a flywheel on a rod that is driven to and fro.
+    for at in [r#""at": "O2""#, r#""at": [0, 0]"#] {
+        let masses = format!(r#""2": {{ "mass": 2, {at}, "inertia": 0.05 }}, "3": {{ "inertia": 0.05 }}"#);
+        let turns = scene(&masses, "50");
+        for name in ["h(2)", "h(3)"] {
+            let found = offset(&turns, name);
+            assert!(matches!(found, Answer::AtInfinity { .. }), "{at} {name}: {found:?}");
+        }
+        // At constant speed neither force nor couple acts on the crank.
+        let found = offset(&scene(&masses, "0"), "h(2)");
+        assert!(matches!(found, Answer::Indeterminate(_)), "{at}: {found:?}");
+    }
+}
