@@ -169,6 +169,13 @@ pub fn limited(value: f64, more: usize) -> (Rich, f64) {
     (0..most).map(|fewer| finer(value, fewer)).find(same).unwrap_or((text, written))
 }
 
+/// What is reckoned from rounded numbers, in as many figures more than usual as it has in common with the exact result: what
+/// the rounded ones do not carry is not written down.
+pub fn in_common(reckoned: f64, exact: f64, more: usize) -> (Rich, f64) {
+    let common = (1..=more).rev().find(|more| limited(reckoned, *more).1 == limited(exact, *more).1);
+    limited(reckoned, common.unwrap_or(0))
+}
+
 /// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it: what lies
 /// half way between two of four figures is the larger, what lies half way between two of three is neither.
 pub fn agrees(reckoned: f64, written: f64, result: f64, more: usize) -> bool {

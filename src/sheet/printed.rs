@@ -324,7 +324,7 @@ impl Figures {
                 *own = (*own).max(more);
             }
             if (reckoned - exact).abs() <= far * exact.abs() {
-                (text, number) = human::limited(reckoned, more);
+                (text, number) = human::in_common(reckoned, exact, more);
             } else {
                 let values: Vec<f64> = factors.iter().map(|(_, si, unit)| si.abs() / unit.si).collect();
                 numbers = human::closing_all(&values, exact, &reckon);
