@@ -1832,6 +1832,7 @@ impl Teller<'_> {
         let units = &self.n.scene.units;
         let mut items = vec![self.head(Rich::upright(self.n.words.arms_figure))];
         let mut couples: Vec<Action> = Vec::new();
+        let mut told: Vec<(Action, PointId)> = Vec::new();
         for own in &self.sheet.arms {
             let Turning::Torque(of @ (Force::Arm(action, about) | Force::Moment(action, about))) =
                 own.found.of
@@ -1872,7 +1873,11 @@ impl Teller<'_> {
                     .alias(Key::Of(Quantity::Force(Force::Arm(action, about), Share::Total)), key);
                 named.up(EQUALS).then(&told).up(EQUALS).then(&self.arm(&arm))
             };
-            items.push(Item::Sentence(line));
+            // An arm is told once, for itself and for its moment.
+            if !told.contains(&(action, about)) {
+                told.push((action, about));
+                items.push(Item::Sentence(line));
+            }
             if let Force::Moment(..) = of {
                 let factors = [
                     Factor::new(own.found.size, &units.force, "N").of(self.whole(Force::Vector(action))),

@@ -11,6 +11,8 @@ use super::{Sweep, SweepError};
 const LOOKS: u32 = 480;
 /// The speed that changes by less than this part of itself over a range is one speed.
 const ONE_SPEED: f64 = 1e-6;
+/// A ball nearer to the axis than this part of the largest distance is on it.
+const ON_AXIS: f64 = 1e-9;
 /// A branch that ends nearer than this part of the range to a limit of the mechanism ends there.
 const AT_LIMIT: f64 = 1e-9;
 
@@ -283,8 +285,15 @@ pub fn governed(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Option
     if (sweep.range[0]..=sweep.range[1]).contains(&start) {
         looks.insert(looks.partition_point(|at| *at <= start), start);
     }
-    let branches = looking.branches(&looks);
+    let mut branches = looking.branches(&looks);
     let (mut places, mut parts, mut elsewhere) = (Vec::new(), Vec::new(), Vec::new());
+    let largest = branches.iter().flatten().map(|look| look.place.radius).fold(0.0, f64::max);
+    for look in branches.iter_mut().flatten() {
+        // A ball that comes to the axis is on it.
+        if look.place.radius <= ON_AXIS * largest {
+            look.place.radius = 0.0;
+        }
+    }
     for branch in &branches {
         let own = branch.iter().any(|look| look.place.at == start);
         if own && places.is_empty() {
