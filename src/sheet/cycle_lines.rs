@@ -72,8 +72,15 @@ impl Computed<'_> {
         let mut figures = self.figures.borrow_mut();
         let Some(printed) = figures.print_of(key).map(super::printed::Print::si) else { return line };
         let (printed, exact) = (printed.abs() / unit.si, value.abs() / unit.si);
-        let (text, number) = human::in_common(printed, exact, figures.more(key));
-        figures.note_also(key, &text, (number, exact), unit);
+        let tens = libm::log10(unit.si);
+        let text = if (tens - libm::round(tens)).abs() < 1e-9 {
+            // Of so many tens of the other unit it has the same figures.
+            figures.tell(key, value, unit)
+        } else {
+            let (text, number) = human::in_common(printed, exact, figures.more(key));
+            figures.note_also(key, &text, (number, exact), unit);
+            text
+        };
         line.up("\u{a0}= ")
             .up(if value < 0.0 { "−" } else { "" })
             .then(&human::with_unit(&text, &unit.symbol))

@@ -209,7 +209,9 @@ impl Teller<'_> {
             Quantity::Force(Force::Spin, share @ (Share::Rising | Share::Falling)) => Some(share),
             _ => None,
         });
-        let others: Vec<Share> = asked.filter(|_| governor.states.len() == 1).collect();
+        let forces = &self.n.mechanism().forces;
+        let rubs = forces.spin.is_some_and(|spin| spin.drag.is_some()) || !forces.friction.is_empty();
+        let others: Vec<Share> = asked.filter(|_| governor.states.len() == 1 && !rubs).collect();
         let own = self.whole(Force::Spin);
         let named = |share: Share| self.n.symbol(Quantity::Force(Force::Spin, share), false);
         for share in &others {
