@@ -397,7 +397,7 @@ impl Shown<'_> {
     /// The controlling-force diagram, which is of all places of a governor.
     fn controlling_force(&self) -> Result<Figure, NoFigure> {
         let wish = |why: &str| NoFigure::Wish(format!("figure {CONTROLLING_FORCE}: {why}"));
-        let governed = governed(&self.scene.mechanism).map_err(|why| wish(&why))?;
+        let governed = governed(&self.scene.mechanism, None).map_err(|why| wish(&why))?;
         let governed = governed
             .ok_or_else(|| wish("it is of a governor whose speed is sought: `spin` with `omega` \"?\""))?;
         if !self.settings.unchecked && confirm_sweep(&governed.sweep).is_err() {

@@ -1134,6 +1134,18 @@ impl fmt::Display for Explanation<'_> {
                 writeln!(f)?;
             }
         }
+        if self.plan.forces.groups.is_empty() {
+            return Ok(());
+        }
+        // Forces are handed on from the output to the input.
+        for (index, group) in self.structure.groups.iter().enumerate().rev() {
+            let links: Vec<String> =
+                group.links.iter().map(|&l| self.mechanism.link(l).number.to_string()).collect();
+            let kept = self.plan.forces.groups.contains(&index);
+            let verdict = if kept { "kept   " } else { "skipped" };
+            write!(f, "{verdict} forces: {} of links {}", group.kind, links.join(", "))?;
+            writeln!(f, "{}", if kept { "" } else { " (nothing asked needs it)" })?;
+        }
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::graphical::construction::{Construction, Stiffness};
 use crate::graphical::{DrawError, Missing, Parting, Unplaced};
-use crate::mechanism::force::SpringKind;
+use crate::mechanism::force::{Heaviness, SpringKind};
 use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
@@ -99,6 +99,28 @@ pub fn unheld_hints(scene: &Scene, construction: &Construction) -> Vec<Diagnosti
         }
     }
     told
+}
+
+/// A g that nobody means: a number without a unit is in the lengths of the scene.
+#[must_use]
+pub fn light_gravity(scene: &Scene) -> Option<Diagnostic> {
+    /// Below it no g is meant, m/s²: that of the Moon is 1.62.
+    const LIGHT: f64 = 1.0;
+    let forces = &scene.mechanism.forces;
+    let g = forces.gravity.g.value;
+    let used =
+        forces.gravity.acts || forces.masses.iter().any(|m| matches!(m.heaviness, Heaviness::Weight(_)));
+    (used && g < LIGHT && scene.units.length.si != 1.0).then(|| {
+        scene.source.complain(
+            Subject::Scene,
+            format!(
+                "g is {} m/s^2: a number without a unit is in {}/s^2",
+                short(g),
+                scene.units.length.symbol
+            ),
+            Some("write it with its unit, \"9.81 m/s^2\"".to_owned()),
+        )
+    })
 }
 
 fn position(scene: &Scene, error: &PositionError) -> (Subject, String, String) {

@@ -82,13 +82,20 @@ pub enum SolveError {
         why: String,
     },
     /// Nothing that was asked is determined at this position.
-    #[error("indeterminate here: {why}")]
+    #[error("{}: {why}", how(.why))]
     Indeterminate {
         /// The first asked quantity.
         name: String,
         /// Why it is not determined.
         why: Indeterminate,
     },
+}
+
+fn how(why: &Indeterminate) -> &'static str {
+    match why {
+        Indeterminate::NoEquilibrium { .. } => "no equilibrium here",
+        _ => "indeterminate here",
+    }
 }
 
 impl SolveError {
@@ -534,8 +541,8 @@ impl Solved {
 ///
 /// # Errors
 /// Why it cannot be led there, in plain English.
-pub fn governed(mechanism: &Mechanism) -> Result<Option<Governed>, String> {
-    sweep::governor::governed(mechanism).map_err(|error| error.to_string())
+pub fn governed(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Option<Governed>, String> {
+    sweep::governor::governed(mechanism, range).map_err(|error| error.to_string())
 }
 
 /// Refuses where none of the asked quantities is determined.

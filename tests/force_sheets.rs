@@ -309,3 +309,38 @@ fn a_force_polygon_fills_its_place() {
     }
     assert!(polygons >= 8, "{polygons}");
 }
+
+#[test]
+fn what_the_frame_feels_is_a_sum_with_a_line() {
+    let crank = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 130 } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } }], "near": { "B": [120, 0] },
+        "input": { "link": 2, "angle": 90 }, "loads": [{ "name": "P", "on": 4, "force": 120, "direction": 180 }],
+        "find": ["F(frame)", "T(2)", "moment(F(1,4),B)"] }"#;
+    let figure = sheet(crank, Kind::Solution);
+    let text = text_of(&figure);
+    assert!(text.contains("Force on the frame"), "{text}");
+    // F1 is what 2 and 4 exert on the frame: the load of 120 N goes through, on its own line 50 N·0.12/120 = 0.
+    let step = text.split("Force on the frame").last().unwrap();
+    let flat: String = step.split_whitespace().collect();
+    assert!(flat.contains("F1=F21+F41") || flat.contains("F_1=F_21+F_41"), "{step}");
+    assert!(flat.contains("120N"), "{step}");
+    // T2 is 120 N × 50 mm: F41 of 50 N at 120 mm turns as much.
+    assert!(step.contains("Its line by moments about"), "{step}");
+    // F14 acts at B: an arm of nothing has a line as well.
+    assert!(text.contains("passes through"), "{text}");
+}
+
+#[test]
+fn a_shaking_force_of_one_force_and_a_couple_has_its_line_told() {
+    // A pinion of radius 60 mm and a rack of 8 kg: F = 8 kg × 0.06 m × 30/s² = 14.4 N at 60 mm, T = 0.02 × 30 = 0.6 N·m;
+    // e = (14.4 × 60 + 600)/14.4 = 101.67 mm.
+    let rack = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] }, "placed": { "R": [0, -60] },
+        "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["R"] } },
+        "slides": [{ "link": 3, "on": { "link": 1, "through": [0, -60], "angle": 0 } }],
+        "rolls": [{ "links": [3, 2], "line": { "link": 3, "through": "R" }, "centre": "O2", "radius": 60 }],
+        "input": { "link": 2, "angle": 0, "omega": 5, "alpha": 30 },
+        "masses": { "2": { "inertia": 0.02 }, "3": { "mass": 8 } }, "find": ["T(2)", "FS"] }"#;
+    let text = text_of(&sheet(rack, Kind::Solution));
+    assert!(text.contains("Its line by moments about") && text.contains("102 mm"), "{text}");
+}

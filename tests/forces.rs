@@ -480,7 +480,8 @@ fn everything_on(scene: &Scene, body: usize, about: &str) -> Vec<String> {
 }
 
 /// One chain by both solvers, and every body's balance from the answers alone. `None` where it stands at a dead centre.
-fn run_chain(seed: u64, groups: usize) -> Option<f64> {
+/// The worst difference of the two solvers by their bounds; why it is left out, where something is refused.
+fn run_chain(seed: u64, groups: usize) -> Result<f64, String> {
     let mut chain = Chain::new(seed);
     for group in 0..groups {
         chain.hang(group);
@@ -490,7 +491,7 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
         chain.wind();
     }
     if chain.masses.is_empty() && chain.loads.is_empty() {
-        return None;
+        return Err("nothing acts".to_owned());
     }
     let plain = read(&chain.text(&[]));
     let mut find: Vec<String> = vec!["T(2)".to_owned(), "T(2).static".to_owned(), "T(2).inertia".to_owned()];
@@ -505,7 +506,7 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
     let scene = read(&chain.text(&find));
     let solved = match solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene) {
         Ok(solved) => solved,
-        Err(_) => return None,
+        Err(error) => return Err(without_numbers(&error.to_string())),
     };
     let agreement = check::agreement(&scene, &solved, &linkgram::solve::solve_analytically(&scene));
     assert!(
@@ -523,8 +524,12 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
         .zip(&agreement.compared)
         .map(|(a, c)| (a.name.as_str(), &c.graphical.answer))
         .collect();
-    if numbers.values().any(|answer| matches!(answer, Answer::Indeterminate(_))) {
-        return None;
+    let refused = numbers.values().find_map(|answer| match answer {
+        Answer::Indeterminate(why) => Some(why),
+        _ => None,
+    });
+    if let Some(why) = refused {
+        return Err(without_numbers(&why.to_string()));
     }
     let number = |name: &str| match numbers[name] {
         Answer::Scalar { value, bound } => (vec![*value], *bound),
@@ -594,18 +599,23 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
             chain.text(&find)
         );
     }
-    Some(agreement.worst_ratio())
+    Ok(agreement.worst_ratio())
 }
 
-fn campaign(seeds: std::ops::Range<u64>) -> (usize, usize, f64) {
-    let (mut done, mut left, mut worst) = (0, 0, 0.0_f64);
+/// A reason whichever links it names.
+fn without_numbers(why: &str) -> String {
+    why.chars().map(|c| if c.is_ascii_digit() { '#' } else { c }).collect()
+}
+
+fn campaign(seeds: std::ops::Range<u64>) -> (usize, BTreeMap<String, Vec<u64>>, f64) {
+    let (mut done, mut left, mut worst) = (0, BTreeMap::<String, Vec<u64>>::new(), 0.0_f64);
     for seed in seeds {
         match run_chain(seed, 1 + (seed % 9) as usize) {
-            Some(ratio) => {
+            Ok(ratio) => {
                 done += 1;
                 worst = worst.max(ratio);
             }
-            None => left += 1,
+            Err(why) => left.entry(why).or_default().push(seed),
         }
     }
     (done, left, worst)
@@ -614,7 +624,7 @@ fn campaign(seeds: std::ops::Range<u64>) -> (usize, usize, f64) {
 #[test]
 fn random_loaded_chains_agree_and_balance() {
     let (done, left, worst) = campaign(0..60);
-    assert!(done >= 40, "{done} done, {left} left out, worst {worst}");
+    assert!(done >= 40, "{done} done, left out {left:?}, worst {worst}");
 }
 
 /// The campaign: `cargo test --release --test all forces:: -- --ignored --nocapture`; `LINKGRAM_CHAINS` says how many,
@@ -625,9 +635,10 @@ fn many_random_loaded_chains() {
     let many = std::env::var("LINKGRAM_CHAINS").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
     let first = std::env::var("LINKGRAM_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
     let (done, left, worst) = campaign(first..first + many);
-    println!(
-        "{done} chains balanced by both solvers, {left} at a dead centre, worst difference {worst} of the bounds"
-    );
+    println!("{done} chains balanced by both solvers, worst difference {worst} of the bounds");
+    for (why, seeds) in &left {
+        println!("{} left out, {:?} and on: {why}", seeds.len(), &seeds[..seeds.len().min(3)]);
+    }
     assert!(done as u64 > many / 2);
 }
 
@@ -833,5 +844,56 @@ fn own_coordinates_of_a_driven_link() {
             let found = answers(&scene)["T(2)"].0[0];
             assert!((found - wanted).abs() < 1e-12, "{form} {own:?}: {found}, not {wanted}");
         }
+    }
+}
+
+#[test]
+fn a_torsion_spring_on_a_wheel_turns_with_it() {
+    // A wheel of one joint has the world's axes here: 50 N·m/rad and 30 degrees back from free; 20 and 50 teeth.
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O3": [140, 0] },
+        "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["O3"] } },
+        "rolls": [{ "links": [2, 3], "centres": ["O2", "O3"], "teeth": [20, 50], "module": 4 }],
+        "input": { "link": 2, "angle": 0, "omega": -100 },
+        "springs": [{ "name": "t", "links": [1, 3], "stiffness": 50, "free": -30 }],
+        "find": ["T(2)", "spring(t)"] }"#,
+    );
+    let found = answers(&scene);
+    let torque = 50.0 * (-30.0_f64).to_radians();
+    near(found["spring(t)"].0[0], torque);
+    // What the spring exerts on 3 the teeth hold, by the ratio of the wheels, which turn against each other.
+    near(found["T(2)"].0[0], torque * 20.0 / 50.0);
+}
+
+#[test]
+fn an_offset_is_at_infinity_where_a_couple_acts_alone() {
+    let scene = |mass: &str, alpha: &str| {
+        read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }}, "3": {{ "joins": ["A", "B"], "length": 180 }} }},
+            "slides": [{{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }}], "near": {{ "B": [220, 0] }},
+            "input": {{ "link": 2, "angle": 40, "omega": 10, "alpha": {alpha} }},
+            "masses": {{ {mass} }}, "find": ["h(2)", "h(3)", "T(2)"] }}"#
+        ))
+    };
+    let offset = |scene: &Scene, name: &str| {
+        let solved = solve(scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+        let drawn = solved.answer(scene, name).unwrap().clone();
+        let analytic = linkgram::solve::solve_analytically(scene);
+        let agreement = linkgram::check::agreement(scene, &solved, &analytic);
+        assert!(agreement.ok(), "{:?} {:?}", agreement.refused, agreement.disagreements());
+        drawn
+    };
+    // On the pivot by its name or by coordinates, and a flywheel on a rod that is driven to and fro.
+    for at in [r#""at": "O2""#, r#""at": [0, 0]"#] {
+        let masses = format!(r#""2": {{ "mass": 2, {at}, "inertia": 0.05 }}, "3": {{ "inertia": 0.05 }}"#);
+        let turns = scene(&masses, "50");
+        for name in ["h(2)", "h(3)"] {
+            let found = offset(&turns, name);
+            assert!(matches!(found, Answer::AtInfinity { .. }), "{at} {name}: {found:?}");
+        }
+        // At constant speed neither force nor couple acts on the crank.
+        let found = offset(&scene(&masses, "0"), "h(2)");
+        assert!(matches!(found, Answer::Indeterminate(_)), "{at}: {found:?}");
     }
 }

@@ -160,7 +160,7 @@ fn kind(name: &str) -> String {
 }
 
 fn led(text: &str) -> Governed {
-    governed(&common::read(text).mechanism).unwrap().unwrap()
+    governed(&common::read(text).mechanism, None).unwrap().unwrap()
 }
 
 #[test]

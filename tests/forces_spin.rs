@@ -156,3 +156,100 @@ fn governors_are_drawn() {
         assert!(drawn.is_ok(), "{stem}: {}", drawn.err().unwrap().told(&scene));
     }
 }
+
+/// A spring governor as Hartnell's: the arm of the ball and the arm that lifts the sleeve are square to each other, the ball
+/// straight above its pivot; with this drag on the sleeve.
+fn hartnell(drag: &str, find: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm", "stiffness": "N/mm" }}, "fixed": {{ "O": [90, 0] }},
+        "placed": {{ "B": [90, 80], "D": [30, 0], "S": [0, 0] }},
+        "links": {{ "2": {{ "joins": ["O", "B", "D"] }}, "3": {{ "joins": ["S"] }} }},
+        "slides": [{{ "link": 3, "on": {{ "link": 1, "through": [0, 0], "angle": 90 }}{drag} }},
+        {{ "pin": "D", "block": 4, "on": {{ "link": 3, "through": "S", "turned": -90 }} }}],
+        "input": {{ "slide": 3 }}, "masses": {{ "2": {{ "mass": 1.5, "at": "B" }} }},
+        "springs": [{{ "name": "k", "between": [{{ "link": 3, "at": "S" }}, {{ "link": 1, "at": [0, 100] }}],
+        "stiffness": 12, "free": 150 }}],
+        "spin": {{ "axis": {{ "through": [0, 0], "angle": 90 }}, "omega": "?", "balls": 2, "sleeve": 3 }},
+        "find": [{find}] }}"#
+    ))
+}
+
+#[test]
+fn a_spring_pulls_whatever_the_sleeve_is_about_to_do() {
+    // 12 N/mm and 50 mm too short; 25 N of drag on the sleeve, of which half counts.
+    let found = answers(&hartnell(r#", "drag": 25"#, r#""spin(rising)", "spin(falling)", "spring(k)""#));
+    near(found["spring(k)"][0], -600.0);
+    let speed = |sleeve: f64| libm::sqrt(sleeve / 2.0 * 60.0 / 80.0 / (1.5 * 0.09));
+    near(found["spin(rising)"][0], speed(625.0));
+    near(found["spin(falling)"][0], speed(575.0));
+}
+
+/// What a governor's range is, in the order in which it is told: r, mm.
+fn parts(scene: &Scene, range: Option<[f64; 2]>) -> Vec<(&'static str, [f64; 2])> {
+    let governed = linkgram::solve::governed(&scene.mechanism, range).unwrap().unwrap();
+    let all = governed.parts.iter().chain(&governed.elsewhere);
+    all.map(|part| (part.stability.name(), part.radii.map(|radius| 1e3 * radius))).collect()
+}
+
+#[test]
+fn the_range_of_a_governor_ends_where_it_does() {
+    // The sleeve goes up and down by 60 mm, the ball in and out by 80; 50 mm down the spring is free.
+    let scene = hartnell("", r#""spin""#);
+    let whole = parts(&scene, None);
+    let within = parts(&scene, Some([-0.03, 0.03]));
+    let radius = |lift: f64| 90.0 + 80.0 * lift / 60.0;
+    let ends = |parts: &[(&str, [f64; 2])]| {
+        let all = parts.iter().flat_map(|(_, radii)| *radii);
+        [all.clone().fold(f64::INFINITY, f64::min), all.fold(0.0, f64::max)]
+    };
+    for (found, wanted) in ends(&within).iter().zip([radius(-30.0), radius(30.0)]) {
+        near(*found, wanted);
+    }
+    for (found, wanted) in ends(&whole).iter().zip([radius(-50.0), radius(60.0)]) {
+        near(*found, wanted);
+    }
+}
+
+#[test]
+fn the_stable_ranges_of_a_governor_are_roots_and_all_told() {
+    // The arm of 250 mm at 40 mm from the axis, the bar of 220 mm to a sleeve 50 mm from it.
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O": [40, 0] }, "placed": { "B": [183.3941090877615, -204.78801107224794] },
+        "links": { "2": { "joins": ["O", "B"] }, "3": { "joins": ["B", "S"], "length": 220 } }, "near": { "S": [50, -379.7337502620961] },
+        "slides": [{ "pin": "S", "block": 4, "on": { "link": 1, "through": [50, 0], "angle": 90 } }], "input": { "link": 2 },
+        "gravity": {}, "masses": { "2": { "mass": 4, "at": "B" }, "4": { "mass": 25 } },
+        "spin": { "axis": { "through": [0, 0], "angle": 90 }, "omega": "?", "balls": 2, "sleeve": 4 }, "find": ["spin"] }"#,
+    );
+    // By hand: ω² = g (m tan a + M/2 (tan a + tan b)) / (m r), a of the arm and b of the bar from the axis; b from what the
+    // bar goes sideways.
+    let square = |degrees: f64| {
+        let turn = degrees.to_radians();
+        let (x, y) = (40.0 + 250.0 * libm::cos(turn), 250.0 * libm::sin(turn));
+        let tan_a = (x - 40.0) / -y;
+        let across: f64 = x - 50.0;
+        let tan_b = across / libm::sqrt(220.0 * 220.0 - across * across);
+        (x, 9810.0 * (4.0 * tan_a + 12.5 * (tan_a + tan_b)) / (4.0 * x))
+    };
+    let bisect = |mut low: f64, mut high: f64, is_low: &dyn Fn(f64) -> bool| {
+        for _ in 0..200 {
+            let middle = f64::midpoint(low, high);
+            if is_low(middle) { low = middle } else { high = middle }
+        }
+        low
+    };
+    let zero = bisect(270.5, 272.0, &|at| square(at).1 < 0.0);
+    let falls = |at: f64| square(at + 1e-3).1 < square(at - 1e-3).1;
+    let least = bisect(238.0, 240.0, &|at| falls(at));
+    let told = parts(&scene, None);
+    let own = told[0];
+    assert_eq!(own.0, "stable");
+    near(own.1[0], square(zero).0);
+    near(own.1[1], 270.0);
+    // The other branches of the same assembly: 212.9 to 261 degrees, with the least speed at 239.02, and above the pivot.
+    let turn = square(least).0.abs();
+    let has = |kind: &str, at: f64, end: usize| {
+        told.iter().any(|(name, radii)| *name == kind && (radii[end] - at).abs() < 1e-3)
+    };
+    assert!(has("unstable", turn, 1) || has("stable", turn, 0), "{turn} in {told:?}");
+    assert!(told.len() >= 3, "{told:?}");
+}

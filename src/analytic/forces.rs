@@ -109,9 +109,7 @@ impl State {
         };
         let mechanism = &self.model.mechanism;
         let drags = mechanism.forces.spin.filter(|spin| spin.drag.is_some() || spin.imagined);
-        if drags.is_some_and(|spin| spin.sense(share, mechanism).is_none()) {
-            return undefined("the sleeve rests, and its drag has no sense");
-        }
+        let senseless = drags.is_some_and(|spin| spin.sense(share, mechanism).is_none());
         let Some((_, balance)) = self.balances.iter().find(|(of, _)| *of == share) else {
             return match &self.stuck {
                 Some(stuck) => Err(stuck.clone()),
@@ -124,12 +122,20 @@ impl State {
         let scope = Scope { tape: &tape, motion: self.motion_here(order) };
         let acting = Acting::new(scope, (&self.model, burden), (&balance.x, &balance.strength), share, moves);
         let spin = burden.sought.iter().position(|sought| *sought == Sought::Spin);
-        if spin.is_some_and(|place| acting.effort(place).value < 0.0) {
+        let no_speed = spin.is_some_and(|place| acting.effort(place).value < 0.0);
+        let out = formula(&acting);
+        // A weight, a given load or the pull of a spring is there in any case; what balances it is not.
+        let balanced = |var: &Var<'_>| {
+            tape.broken() || tape.sweep(*var).terms.iter().any(|(leaf, _)| matches!(leaf, Leaf::Force(_)))
+        };
+        if senseless && out.iter().any(balanced) {
+            return undefined("the sleeve rests, and its drag has no sense");
+        }
+        if no_speed && out.iter().any(balanced) {
             // What turns at no speed has no forces.
             let why = "at no speed is there equilibrium".to_owned();
             return Err(Indeterminate::NoEquilibrium { why });
         }
-        let out = formula(&acting);
         if tape.broken() {
             let why = burden.unaimed.clone();
             return why.map_or_else(|| undefined("it divides by a length of zero"), Err);
@@ -285,10 +291,7 @@ impl State {
             Force::Offset(link) => {
                 let about = self.model.mechanism.forces.mass(link).map(|mass| mass.centre);
                 let Some(about) = about else { return undefined("the link has no mass") };
-                if self.model.mechanism.is_fixed(about) {
-                    return Ok(Answer::AtInfinity { direction: [1.0, 0.0], bound: 0.0 });
-                }
-                self.arm(share, Action::Inertia(link), about)
+                self.offset(share, link, about)
             }
             Force::Moment(action, about) => {
                 let site = self.place_site(about)?;
@@ -320,6 +323,27 @@ impl State {
             [(moment / (x * x + y * y).sqrt()).abs()]
         })?;
         Ok(scalar(m, self.model.length))
+    }
+
+    /// The offset of an inertia force from the mass centre: at infinity where there is a couple alone, nowhere where there
+    /// is neither.
+    fn offset(&self, share: Share, link: LinkId, centre: PointId) -> Read {
+        let [square, couple] = self.act(share, |s| {
+            let zero = s.real.tape.constant(0.0);
+            let [x, y, _] = self.action(s, Action::Inertia(link), [zero; 2]);
+            let couple = match self.heavy(s, link) {
+                Some(heavy) if s.inertial_too() => s.inertial(heavy).1,
+                _ => zero,
+            };
+            [x * x + y * y, couple]
+        })?;
+        if square.value > ZERO * square.bound {
+            return self.arm(share, Action::Inertia(link), centre);
+        }
+        if couple.value.abs() > couple.bound {
+            return Ok(Answer::AtInfinity { direction: [1.0, 0.0], bound: 0.0 });
+        }
+        undefined("neither an inertia force nor a couple acts: there is no line")
     }
 
     fn sought(&self, share: Share, sought: Sought, unit: f64) -> Read {
@@ -499,7 +523,8 @@ impl State {
             }
             Action::Drag(_) => match s.drag_on_sleeve() {
                 Some(([x, y], at)) => [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x],
-                None => [zero; 3],
+                // Without a sense it is no number.
+                None => [tape.constant(1.0) / zero; 3],
             },
             Action::Load(index) => {
                 let load = &s.burden.loads[index];

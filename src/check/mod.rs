@@ -362,10 +362,24 @@ pub fn check_with(scene: &Scene, tolerance: f64, settings: Settings) -> SceneChe
                     compare_published(published, answer, tolerance, erratum)
                 })
                 .collect();
-            let ok = scene.expect.is_none() && agreement.ok() && published.iter().all(|p| p.ok != p.erratum);
+            let as_expected = scene.expect.is_none_or(|expected| refuses_balance(&agreement, expected));
+            let ok = as_expected && agreement.ok() && published.iter().all(|p| p.ok != p.erratum);
             SceneCheck { outcome: Outcome::Solved { agreement, published }, ok }
         }
     }
+}
+
+/// Whether what hangs on the balance of forces is refused as expected, whatever else was asked beside it: weights and
+/// inertia are there in any case.
+fn refuses_balance(agreement: &Agreement, expected: Refusal) -> bool {
+    let refused = agreement.compared.iter().filter_map(|compared| {
+        let why = compared.indeterminate()?.clone();
+        SolveError::Indeterminate { name: compared.asked.name.clone(), why }.refusal()
+    });
+    let refused: Vec<Refusal> = refused.collect();
+    matches!(expected, Refusal::Locked | Refusal::NoEquilibrium)
+        && !refused.is_empty()
+        && refused.iter().all(|refusal| *refusal == expected)
 }
 
 /// One solution that answers the asked quantities and then the published ones; the agreement covers both.

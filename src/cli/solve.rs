@@ -70,7 +70,8 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         table(&solved, &agreement, &by_hand, scene) + explanation.as_deref().unwrap_or("")
     };
     print(&text)?;
-    for note in crate::report::unheld_hints(scene, &solved.solution.construction) {
+    let hints = crate::report::unheld_hints(scene, &solved.solution.construction);
+    for note in hints.into_iter().chain(crate::report::light_gravity(scene)) {
         let _ = writeln!(std::io::stderr(), "note: {}", crate::terminal::lines(&note.to_string()));
     }
     let determined = agreement.compared.iter().all(|c| c.indeterminate().is_none());

@@ -196,21 +196,14 @@ fn turned(scene: &Scene) -> Result<Solved, Failure> {
 
 /// The figures of a turning-moment diagram.
 fn of_cycle(scene: &Scene, language: Language) -> Result<Vec<Figure>, Failure> {
-    let figures = ["turning-moment", "energy"].map(str::to_owned);
-    let drawn = figures.map(|name| {
-        let wish = Wish { figures: vec![name], language: Some(language), ..Wish::default() };
+    let draw = |names: &[&str]| {
+        let figures = names.iter().map(|name| (*name).to_owned()).collect();
+        let wish = Wish { figures, language: Some(language), ..Wish::default() };
         crate::drawing::figure(scene, &wish).map_err(|error| Failure(error.told(scene)))
-    });
-    let mut all: Vec<Figure> = Vec::new();
-    for figure in drawn {
-        match figure {
-            Ok(figure) => all.push(figure),
-            // Of areas alone there is no curve.
-            Err(_) if all.is_empty() => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(all)
+    };
+    // Of areas alone there is no curve.
+    let both = draw(&["turning-moment", "energy"]).or_else(|_| draw(&["energy"]))?;
+    Ok(vec![both])
 }
 
 /// A turning-moment diagram without a mechanism: its table of levels, and its figures.
@@ -480,6 +473,14 @@ struct Report<'s> {
 }
 
 impl Report<'_> {
+    /// A place in the unit of the input. A step from a round number to another is round: what two conversions leave of
+    /// it in the last digits is their rounding.
+    fn stands_at(&self, at: f64) -> f64 {
+        let at = at / self.unit.si;
+        let round = format!("{at:.12e}").parse::<f64>().unwrap_or(at);
+        if (round - at).abs() <= 4.0 * f64::EPSILON * at.abs() { round } else { at }
+    }
+
     fn place(&self, at: f64) -> String {
         // What is left of zero after roots are found is rounding of the range.
         let size = self.sweep.range[0].abs().max(self.sweep.range[1].abs());
@@ -533,8 +534,11 @@ impl Report<'_> {
 
     fn event(&self, event: &Event) -> String {
         let links: Vec<String> = self.sweep.links(event).iter().map(u32::to_string).collect();
-        let blame =
-            if links.is_empty() { String::new() } else { format!(": links {} in line", links.join(" and ")) };
+        let blame = match links.len() {
+            0 => String::new(),
+            1 => format!(" of link {}", links[0]),
+            _ => format!(": links {} in line", links.join(" and ")),
+        };
         let what = match event.kind {
             EventKind::Limit => format!("limit of the input{blame}"),
             EventKind::ChangePoint => format!("change point{blame}"),
@@ -587,11 +591,19 @@ impl Report<'_> {
     fn governor(&self) -> String {
         let mut out = String::new();
         let unit = &self.scene.units.length;
-        if let Ok(Some(governed)) = governed(&self.scene.mechanism) {
-            for part in &governed.parts {
+        let range = (self.sweep.input != InputKind::Time).then_some(self.sweep.range);
+        if let Ok(Some(governed)) = governed(&self.scene.mechanism, range) {
+            for part in governed.parts.iter().chain(&governed.elsewhere) {
                 let [from, to] = part.radii.map(|radius| short(radius / unit.si));
                 let name = part.stability.name();
-                let _ = writeln!(out, "{name} from r = {from} to {to} {}", unit.symbol);
+                let _ = write!(out, "{name} from r = {from} to {to} {}", unit.symbol);
+                // The same radius may stand in several.
+                if governed.elsewhere.is_empty() || range.is_none() {
+                    out.push('\n');
+                } else {
+                    let [from, to] = part.at.map(|at| self.place(at));
+                    let _ = writeln!(out, " ({from} to {to})");
+                }
             }
         }
         out
@@ -756,7 +768,7 @@ impl Report<'_> {
         }
         writeln!(out)?;
         self.each(places, bounded, |at, values, bounds| {
-            write!(out, "{}", Plain(at / self.unit.si))?;
+            write!(out, "{}", Plain(self.stands_at(at)))?;
             for cell in &cells {
                 match self.told(*cell, values) {
                     Some(value) => write!(out, ",{}", Plain(value))?,
@@ -858,7 +870,7 @@ impl Report<'_> {
         let mut first = true;
         self.each(places, bounded, |at, values, bounds| {
             let numbers: Vec<Option<f64>> = cells.iter().map(|cell| self.told(*cell, values)).collect();
-            let mut row = json!({ "at": at / self.unit.si, "values": numbers });
+            let mut row = json!({ "at": self.stands_at(at), "values": numbers });
             if let Some(bounds) = bounds {
                 let within = cells.iter().map(|cell| self.bound_of(*cell, values, bounds));
                 row["bounds"] = json!(within.collect::<Vec<Option<f64>>>());

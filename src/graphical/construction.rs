@@ -92,6 +92,10 @@ pub struct ForceSheet {
     pub inertia: Vec<Acting>,
     /// The line of their sum, from the first fixed pivot.
     pub shaking: Option<MomentBalance>,
+    /// What moving links exert on the frame pair by pair, where their sum is asked.
+    pub frame: Vec<Acting>,
+    /// The line of that sum, from the first fixed pivot.
+    pub frame_line: Option<MomentBalance>,
     /// What was sought elsewhere than at the input, by two trials.
     pub trial: Option<Trial>,
     /// What groups of higher class leave open.
@@ -314,6 +318,9 @@ pub struct MomentBalance {
     pub terms: Vec<MomentTerm>,
     /// What they give.
     pub found: MomentTerm,
+    /// A body in a guide whose forces are carried to its pin: the couple that this leaves is the guide's,
+    /// and turns nothing else.
+    pub carried: Option<(LinkId, PointId)>,
 }
 
 /// Three forces on a body meet in a point: what is known, a second one, and a third one that passes through a pin.

@@ -134,6 +134,11 @@ impl Draughtsman<'_> {
                 return Some(self.ride_directions(ride, link));
             }
         }
+        if self.has_axes_of_world(link) {
+            // A wheel, whose turning so far nothing tells.
+            let x = self.board.rightward();
+            return Some((x, x));
+        }
         None
     }
 

@@ -543,6 +543,14 @@ fn pointing(value: &Value<'_>, draft: &Draft<'_>) -> Res<Pointing> {
     match &value.kind {
         Kind::Text(text) if text.trim() == "against" => Ok(Pointing::Motion { with: false }),
         Kind::Text(text) if text.trim() == "with" => Ok(Pointing::Motion { with: true }),
+        Kind::Text(text) if text.trim().starts_with(|c: char| c.is_ascii_alphabetic()) => {
+            let fault = Fault::new(value.at, format!("`{text}` is no direction"))
+                .mend("write an angle, `with` or `against`, or {\"from\": …, \"to\": …}");
+            Err(match super::diagnostic::nearest(text.trim(), &["with", "against"]) {
+                Some(near) => fault.mend(format!("did you mean `{near}`?")),
+                None => fault,
+            })
+        }
         Kind::Object(_) => {
             let fields = Fields::of(value, keys::POINTING, "a direction: {\"from\": …, \"to\": …}")?;
             let angle = |key: &str| -> Res<Given> {

@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use super::cycle::{TOLD, height, paper_of, symbol};
+use super::cycle::{TOLD, energy_unit, height, paper_of, symbol};
 use super::human;
 use super::notation::Notation;
 use super::printed::{Figures, Key};
@@ -23,13 +23,67 @@ pub(super) struct Computed<'a> {
     pub(super) figures: &'a RefCell<Figures>,
 }
 
-/// A number of such a line: its symbol, its key where it stands elsewhere too, its value, SI, and its SI unit.
+/// A number of such a line: its symbol, its key where it stands elsewhere too, its value, SI, and its unit: an SI unit, or
+/// one of the scene.
 type Factor = (Rich, Option<Key>, f64, &'static str);
+
+/// The scene's unit of a torque, and that of an energy.
+const TORQUE: &str = "torque of the scene";
+const ENERGY: &str = "energy of the scene";
 
 impl Computed<'_> {
     fn number(&self, of: CycleQuantity, unit: &'static str) -> Option<Factor> {
         let Answer::Scalar { value, .. } = self.sheet.answer(of) else { return None };
         Some((symbol(self.notation, of), Some(Key::Of(Quantity::Cycle(of))), value, unit))
+    }
+
+    /// A unit by its SI symbol, or the scene's.
+    fn unit(&self, name: &'static str) -> Unit {
+        let torque = &self.notation.scene.units.torque;
+        match name {
+            TORQUE => torque.clone(),
+            ENERGY => Unit { symbol: energy_unit(&torque.symbol), si: torque.si },
+            si => Unit { symbol: si.to_owned(), si: 1.0 },
+        }
+    }
+
+    /// A line whose result stands in lines with numbers of other kinds: there units of SI go together, and this is it.
+    fn also(&self, line: Rich, key: Key, value: f64, unit: &'static str) -> Rich {
+        let own = self.unit(if unit == "J" { ENERGY } else { TORQUE });
+        let unit = self.unit(unit);
+        if own == unit {
+            return line;
+        }
+        let mut figures = self.figures.borrow_mut();
+        let Some(printed) = figures.print_of(key).map(super::printed::Print::si) else { return line };
+        let (text, number) = human::in_common(printed.abs(), value.abs(), figures.more(key));
+        figures.note_also(key, &text, (number, value.abs()), &unit);
+        line.up("\u{a0}= ")
+            .up(if value < 0.0 { "−" } else { "" })
+            .then(&human::with_unit(&text, &unit.symbol))
+    }
+
+    /// A line in units of SI whose result somebody asks in another one.
+    fn as_asked(&self, line: Rich, of: CycleQuantity, value: f64) -> Rich {
+        let all = &self.notation.mechanism().asked;
+        let asked = all.iter().find(|asked| asked.quantity == Quantity::Cycle(of));
+        let Some(unit) = asked.map(|asked| &asked.unit).filter(|unit| unit.si != 1.0) else { return line };
+        let key = key(of);
+        let mut figures = self.figures.borrow_mut();
+        let Some(printed) = figures.print_of(key).map(super::printed::Print::si) else { return line };
+        let (printed, exact) = (printed.abs() / unit.si, value.abs() / unit.si);
+        let tens = libm::log10(unit.si);
+        let text = if (tens - libm::round(tens)).abs() < 1e-9 {
+            // Of so many tens of the other unit it has the same figures.
+            figures.tell(key, value, unit)
+        } else {
+            let (text, number) = human::in_common(printed, exact, figures.more(key));
+            figures.note_also(key, &text, (number, exact), unit);
+            text
+        };
+        line.up("\u{a0}= ")
+            .up(if value < 0.0 { "−" } else { "" })
+            .then(&human::with_unit(&text, &unit.symbol))
     }
 
     fn cycle(&self) -> Option<&Cycle> {
@@ -62,48 +116,66 @@ impl Computed<'_> {
         let of = |quantity, unit| self.number(quantity, unit);
         let (minus, over, times) = (" −\u{a0}", "\u{a0}/\u{a0}", "\u{a0}×\u{a0}");
         let turns = if matches!(key, Key::Given(_)) { self.speed_in_radians() } else { None };
+        // With a speed or an inertia units of SI go together.
+        let in_si = asked(CycleQuantity::Power);
+        let key_of = |of: CycleQuantity| Key::Of(Quantity::Cycle(of));
         let mean = [
             Some(self.added_up()),
             // Waves have no mean of their own: what remains is the constant.
             (asked(CycleQuantity::Work) || asked(CycleQuantity::Mean)).then(|| {
-                let (name, key, value, unit) = self.number(CycleQuantity::Mean, "N*m")?;
-                let unit = Unit { symbol: unit.to_owned(), si: 1.0 };
+                let (name, key, value, unit) = self.number(CycleQuantity::Mean, TORQUE)?;
+                let unit = self.unit(unit);
                 self.constant()?;
                 let told = self.figures.borrow_mut().tell(key?, value, &unit);
                 let sign = if value < 0.0 { "−" } else { "" };
                 let sum = name.up("\u{a0}= (1\u{a0}/\u{a0}").it("θ").sub("C").up(")\u{a0}∫\u{a0}").it("T");
                 let sum = sum.up("\u{a0}d").it("θ").up("\u{a0}= ").up(sign);
-                Some(sum.then(&human::with_unit(&told, &unit.symbol)))
+                let line = sum.then(&human::with_unit(&told, &unit.symbol));
+                Some(if in_si { self.also(line, key?, value, "N*m") } else { line })
             }),
             (asked(CycleQuantity::Work) && self.constant().is_some()).then(|| {
-                let factors = [of(CycleQuantity::Mean, "N*m")?, period()?];
+                let factors = [of(CycleQuantity::Mean, TORQUE)?, period()?];
                 let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
-                self.line(of(CycleQuantity::Work, "J")?, &factors, set, |n| n[0] * n[1])
+                self.line(of(CycleQuantity::Work, ENERGY)?, &factors, set, |n| n[0] * n[1])
             }),
             asked(CycleQuantity::Work).then(|| self.work()),
             (asked(CycleQuantity::Mean) && self.constant().is_none()).then(|| {
-                let factors = [of(CycleQuantity::Work, "J")?, period()?];
+                let factors = [of(CycleQuantity::Work, ENERGY)?, period()?];
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
-                self.line(of(CycleQuantity::Mean, "N*m")?, &factors, set, |n| n[0] / n[1])
+                let mean = of(CycleQuantity::Mean, TORQUE)?;
+                let value = mean.2;
+                let line = self.line(mean, &factors, set, |n| n[0] / n[1])?;
+                Some(if in_si { self.also(line, key_of(CycleQuantity::Mean), value, "N*m") } else { line })
             }),
             asked(CycleQuantity::Power).then(|| {
                 let factors = [of(CycleQuantity::Mean, "N*m")?, omega()?];
                 let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
-                self.line(of(CycleQuantity::Power, "W")?, &factors, set, |n| n[0] * n[1])
+                let power = of(CycleQuantity::Power, "W")?;
+                let value = power.2;
+                let line = self.line(power, &factors, set, |n| n[0] * n[1])?;
+                Some(self.as_asked(line, CycleQuantity::Power, value))
             }),
         ];
         let areas = self.areas();
         let rest = [
             asked(CycleQuantity::Fluctuation).then(|| {
-                let factors = [of(CycleQuantity::Highest, "J")?, of(CycleQuantity::Lowest, "J")?];
+                let factors = [of(CycleQuantity::Highest, ENERGY)?, of(CycleQuantity::Lowest, ENERGY)?];
                 let set = |n: &[Rich]| n[0].clone().up(minus).then(&n[1]);
-                self.line(of(CycleQuantity::Fluctuation, "J")?, &factors, set, |n| n[0] - n[1])
+                let fluctuation = of(CycleQuantity::Fluctuation, ENERGY)?;
+                let value = fluctuation.2;
+                let line = self.line(fluctuation, &factors, set, |n| n[0] - n[1])?;
+                let in_si = asked(CycleQuantity::OfSpeed) || asked(CycleQuantity::Flywheel);
+                Some(if in_si {
+                    self.also(line, key_of(CycleQuantity::Fluctuation), value, "J")
+                } else {
+                    line
+                })
             }),
             asked(CycleQuantity::OfEnergy).then(|| {
-                let (name, key, work, unit) = of(CycleQuantity::Work, "J")?;
+                let (name, key, work, unit) = of(CycleQuantity::Work, ENERGY)?;
                 let bars = |name: Rich| Rich::upright("|").then(&name).up("|");
                 let name = if work < 0.0 { bars(name) } else { name };
-                let factors = [of(CycleQuantity::Fluctuation, "J")?, (name, key, work.abs(), unit)];
+                let factors = [of(CycleQuantity::Fluctuation, ENERGY)?, (name, key, work.abs(), unit)];
                 let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
                 self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
             }),
@@ -126,7 +198,10 @@ impl Computed<'_> {
                     let needed = n[0] / (n[1] * n[2] * n[2]);
                     n.get(3).map_or(needed, |own| needed - own)
                 };
-                self.line(of(CycleQuantity::Flywheel, "kg*m^2")?, &factors, set, reckon)
+                let flywheel = of(CycleQuantity::Flywheel, "kg*m^2")?;
+                let value = flywheel.2;
+                let line = self.line(flywheel, &factors, set, reckon)?;
+                Some(self.as_asked(line, CycleQuantity::Flywheel, value))
             }),
             asked(CycleQuantity::AtMost).then(|| self.steepest(CycleQuantity::AtMost)),
             asked(CycleQuantity::Most).then(|| self.fastest(CycleQuantity::Most, CycleQuantity::AtMost)),
@@ -214,20 +289,20 @@ impl Computed<'_> {
         (!told.is_empty()).then(|| Rich::join(&told, &Rich::upright(n.words.comma)))
     }
 
-    /// A sum of trapezoids under a line, in N m and degrees, and what it comes to in joules.
+    /// A sum of trapezoids under a line, in the scene's unit of torque and degrees, and what it comes to.
     fn sum(&self, name: Rich, points: &[[f64; 2]], (key, value): (Key, f64)) -> Rich {
+        let joule = self.unit(ENERGY);
         let parts = points.windows(2).map(|pair| {
             let [[a, low], [b, high]] = [pair[0], pair[1]];
-            0.5 * (low + high) * (b - a).to_degrees()
+            0.5 * (low + high) / joule.si * (b - a).to_degrees()
         });
         let parts: Vec<f64> = parts.collect();
         let largest = parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
         let parts: Vec<f64> = parts.into_iter().filter(|part| part.abs() > 1e-9 * largest).collect();
-        let unit = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
-        let (plain, joule) = (unit(""), unit("J"));
+        let plain = self.unit("");
         if parts.is_empty() {
             let zero = self.figures.borrow_mut().tell(key, 0.0, &joule);
-            return name.up("\u{a0}= ").then(&human::with_unit(&zero, "J"));
+            return name.up("\u{a0}= ").then(&human::with_unit(&zero, &joule.symbol));
         }
         let factors: Vec<(Option<Key>, f64, &Unit)> =
             parts.iter().map(|part| (None, *part, &plain)).collect();
@@ -253,7 +328,7 @@ impl Computed<'_> {
             _ => Rich::upright("(").then(&sum).up(")"),
         };
         let line = name.up("\u{a0}= ").then(&sum).up("\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
-        line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&text, "J"))
+        line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&text, &joule.symbol))
     }
 
     /// The constant of a sum of waves over whole periods, which is its mean.
@@ -318,7 +393,9 @@ impl Computed<'_> {
         (key, value): (Option<Key>, f64),
     ) -> Rich {
         let unit = |symbol: &str, si: f64| Unit { symbol: symbol.to_owned(), si };
-        let (plain, joule) = (unit("", 1.0), unit("J", 1.0));
+        let (plain, joule) = (unit("", 1.0), self.unit(ENERGY));
+        let [area, torque, angle] = factors;
+        let factors = [area, torque / joule.si, angle];
         let degrees = unit("°", std::f64::consts::PI / 180.0);
         let units = [&plain, &plain, &degrees];
         let told: Vec<(Option<Key>, f64, &Unit)> =
@@ -330,7 +407,7 @@ impl Computed<'_> {
         let sign = if value < 0.0 { "−" } else { "" };
         let product = Rich::join(&numbers, &Rich::upright("\u{a0}×\u{a0}"));
         let line = name.up("\u{a0}= ").up(sign).then(&product).up("\u{a0}×\u{a0}π\u{a0}/\u{a0}180\u{a0}= ");
-        line.up(sign).then(&human::with_unit(&text, "J"))
+        line.up(sign).then(&human::with_unit(&text, &joule.symbol))
     }
 
     /// The angles at which the two sides are equal.
@@ -369,7 +446,7 @@ impl Computed<'_> {
         if self.constant().is_some() {
             return None;
         }
-        let (name, key, value, _) = self.number(CycleQuantity::Work, "J")?;
+        let (name, key, value, _) = self.number(CycleQuantity::Work, ENERGY)?;
         let sides = &self.notation.mechanism().forces.cycle.as_ref()?.sides;
         if let Sides::Areas { torque, angle, total: Some(total), .. } = sides {
             return Some(self.by_scales(name, [total.value, torque.value, angle.value], "", (key, value)));
@@ -452,7 +529,10 @@ impl Computed<'_> {
             }
             sum + product
         };
-        self.line(self.number(CycleQuantity::Inertia, "kg*m^2")?, &factors, set, reckon)
+        let inertia = self.number(CycleQuantity::Inertia, "kg*m^2")?;
+        let value = inertia.2;
+        let line = self.line(inertia, &factors, set, reckon)?;
+        Some(self.as_asked(line, CycleQuantity::Inertia, value))
     }
 
     /// Both torques at the angle where they differ most, and that angle.
@@ -544,8 +624,8 @@ impl Computed<'_> {
         let (_, [torque, load]) = self.torques_at(at)?;
         let index = if of == CycleQuantity::Most { "max" } else { "min" };
         let result = self.number(of, "rad/s^2")?;
-        let mean = self.number(CycleQuantity::Mean, "N*m")?;
-        let plain = |letter: Rich, value: f64| (letter, None, value, "N*m");
+        let mean = self.number(CycleQuantity::Mean, TORQUE)?;
+        let plain = |letter: Rich, value: f64| (letter, None, value, TORQUE);
         let sides = match self.sheet.constant {
             Some(0) => [mean, plain(Rich::italic("T").sub("l"), load)],
             Some(_) => [plain(Rich::italic("T").sub(index), torque), mean],
@@ -553,6 +633,9 @@ impl Computed<'_> {
         };
         let turning = self.turning()?;
         let several = turning.len() > 1;
+        if self.unit(TORQUE) != self.unit("N*m") {
+            return self.fastest_in_si(result, sides, turning, index);
+        }
         let factors: Vec<Factor> = sides.into_iter().chain(turning).collect();
         let set = |n: &[Rich]| {
             let over = Rich::upright("(").then(&n[0]).up("\u{a0}−\u{a0}").then(&n[1]).up(")\u{a0}/\u{a0}");
@@ -562,6 +645,34 @@ impl Computed<'_> {
             }
         };
         self.line(result, &factors, set, |n| (n[0] - n[1]) / n[2..].iter().sum::<f64>())
+    }
+
+    /// The same of torques that are not in newton metres: first their difference, and what it is in these.
+    fn fastest_in_si(
+        &self,
+        result: Factor,
+        sides: [Factor; 2],
+        turning: Vec<Factor>,
+        index: &'static str,
+    ) -> Option<Rich> {
+        let own = Key::Given(if index == "max" { "most" } else { "least" });
+        let value = sides[0].2 - sides[1].2;
+        let symbol = Rich::upright("Δ").it("T").sub(index);
+        let set = |n: &[Rich]| n[0].clone().up("\u{a0}−\u{a0}").then(&n[1]);
+        let difference = (symbol.clone(), Some(own), value, TORQUE);
+        let first = self.line(difference, &sides, set, |n| n[0] - n[1])?;
+        let first = self.also(first, own, value, "N*m");
+        let several = turning.len() > 1;
+        let factors: Vec<Factor> = [(symbol, Some(own), value, "N*m")].into_iter().chain(turning).collect();
+        let set = |n: &[Rich]| {
+            let over = n[0].clone().up("\u{a0}/\u{a0}");
+            match several {
+                true => over.up("(").then(&n[1]).up("\u{a0}+\u{a0}").then(&n[2]).up(")"),
+                false => over.then(&n[1]),
+            }
+        };
+        let second = self.line(result, &factors, set, |n| n[0] / n[1..].iter().sum::<f64>())?;
+        Some(first.up(self.notation.words.semicolon).then(&second))
     }
 
     /// Where the torques are equal, the areas between, and the levels, each from the numbers before.
@@ -594,6 +705,7 @@ impl Computed<'_> {
             });
         }
         lines.extend(self.levels(by_angle));
+        self.alike(count);
         if let Some([highest, lowest]) = self.sheet.extremes {
             let mut figures = self.figures.borrow_mut();
             figures.alias(key(CycleQuantity::Highest), key(CycleQuantity::Level(counted(highest))));
@@ -602,13 +714,26 @@ impl Computed<'_> {
         Some(lines)
     }
 
+    /// Areas and levels stand under each other: what one of them needs all have.
+    fn alike(&self, count: usize) {
+        let keys = || {
+            let all = [CycleQuantity::Area, CycleQuantity::Level];
+            (0..count).flat_map(move |index| all.map(|of| key(of(counted(index)))))
+        };
+        let mut figures = self.figures.borrow_mut();
+        let most = keys().map(|key| figures.more(key)).max().unwrap_or(0);
+        for key in keys().filter(|key| figures.more(*key) < most).collect::<Vec<_>>() {
+            figures.want(key);
+        }
+    }
+
     fn name(&self, of: CycleQuantity) -> Rich {
         symbol(self.notation, of)
     }
 
     /// Each level is the one before and the area between; the first of areas alone is the first area.
     fn levels(&self, by_angle: bool) -> Vec<Rich> {
-        let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
+        let joule = self.unit(ENERGY);
         let mut lines = Vec::new();
         for (index, level) in self.sheet.levels.iter().enumerate() {
             let of = CycleQuantity::Level(counted(index));
@@ -619,7 +744,7 @@ impl Computed<'_> {
                     let told = self.figures.borrow_mut().tell(key(of), *level, &joule);
                     let line = self.name(of).up("\u{a0}= ").then(&self.name(area)).up("\u{a0}= ");
                     let line = line.up(if *level < 0.0 { "−" } else { "" });
-                    lines.push(line.then(&human::with_unit(&told, "J")));
+                    lines.push(line.then(&human::with_unit(&told, &joule.symbol)));
                 }
                 continue;
             };
@@ -636,7 +761,7 @@ impl Computed<'_> {
             // The last level of a period is its beginning.
             if *level == 0.0 {
                 let zero = self.figures.borrow_mut().tell(key(of), 0.0, &joule);
-                lines.push(formula.up("\u{a0}= ").then(&human::with_unit(&zero, "J")));
+                lines.push(formula.up("\u{a0}= ").then(&human::with_unit(&zero, &joule.symbol)));
                 continue;
             }
             let factors = [(Some(key(first)), a, &joule), (Some(key(second)), b, &joule)];
@@ -647,7 +772,7 @@ impl Computed<'_> {
             let line = formula.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0]);
             let line = line.up(sign(b, "\u{a0}+\u{a0}", "\u{a0}−\u{a0}")).then(&x[1]);
             let line = line.up("\u{a0}= ").up(sign(*level, "", "−"));
-            lines.push(line.then(&human::with_unit(&text, "J")));
+            lines.push(line.then(&human::with_unit(&text, &joule.symbol)));
         }
         lines
     }
@@ -700,7 +825,7 @@ impl Computed<'_> {
     /// The angle of a crossing by proportion between two corners; of one at a corner that angle.
     fn crossing(&self, knots: &[[f64; 2]], (index, at): (usize, f64), mean: Option<f64>) -> Rich {
         let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
-        let torque = Unit { symbol: "N*m".to_owned(), si: 1.0 };
+        let torque = self.unit(TORQUE);
         let of = CycleQuantity::Crossing(counted(index));
         let name = self.name(of).up("\u{a0}= ");
         let at_corner = |knot: &[f64; 2]| (knot[0] - at).abs() <= 1e-9;
@@ -753,10 +878,11 @@ impl Computed<'_> {
         let [torque, load] = self.names();
         let head = of(Rich::italic("θ")).up("\u{a0}= ∫\u{a0}(").then(&torque).up(" −\u{a0}").then(&load);
         let head = head.up(")\u{a0}d").it("θ").up("\u{a0}= ");
-        let mut lines = vec![head.then(&integral.told(1.0, rounded)).up("\u{a0}J")];
+        let joule = self.unit(ENERGY);
+        let told = integral.told(joule.si, rounded);
+        let mut lines = vec![head.then(&human::with_unit(&told, &joule.symbol))];
         // From where the motion comes to where it goes.
         let mut between = |of_line: CycleQuantity, [from, to]: [(Rich, f64); 2], value: f64| {
-            let joule = Unit { symbol: "J".to_owned(), si: 1.0 };
             let ends = [&to, &from].map(|(_, at)| integral.at(*at));
             let zero = 1e-9 * integral.size();
             let ends = ends.map(|end| if end.abs() <= zero { 0.0 } else { end });
@@ -780,7 +906,7 @@ impl Computed<'_> {
             let numbers = difference(&sign(ends[0], &x[0]), &sign(ends[1], &x[1]));
             let line = self.name(of_line).up("\u{a0}= ").then(&symbols).up("\u{a0}= ").then(&numbers);
             let line = line.up("\u{a0}= ").up(if value < 0.0 { "−" } else { "" });
-            lines.push(line.then(&human::with_unit(&text, "J")));
+            lines.push(line.then(&human::with_unit(&text, &joule.symbol)));
         };
         let crossing = |index: usize| {
             let index = index % self.sheet.crossings.len();
@@ -817,11 +943,10 @@ impl Computed<'_> {
         let equals = "\u{a0}= ";
         let symbols: Vec<Rich> = factors.iter().map(|(symbol, ..)| symbol.clone()).collect();
         let formula = name.up(equals).then(&set(&symbols));
-        let unit_of = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
-        let units: Vec<Unit> = factors.iter().map(|(.., unit)| unit_of(unit)).collect();
+        let units: Vec<Unit> = factors.iter().map(|(.., unit)| self.unit(unit)).collect();
         let told: Vec<(Option<Key>, f64, &Unit)> =
             factors.iter().zip(&units).map(|((_, key, value, _), unit)| (*key, *value, unit)).collect();
-        let result = unit_of(unit);
+        let result = self.unit(unit);
         let signs: Vec<f64> = factors.iter().map(|(_, _, value, _)| value.signum()).collect();
         let signed = |numbers: &[f64]| {
             let numbers: Vec<f64> = numbers.iter().zip(&signs).map(|(number, sign)| number * sign).collect();
@@ -837,7 +962,7 @@ impl Computed<'_> {
             })
             .collect();
         let line = formula.up(equals).then(&set(&numbers)).up(equals);
-        Some(line.then(&human::with_unit(&text, unit)))
+        Some(line.then(&human::with_unit(&text, &result.symbol)))
     }
 }
 

@@ -40,6 +40,8 @@ const ON_EACH_OTHER: (f64, f64) = (1.0, 0.995);
 /// An arrow that stands so far from all other points has its name for itself, mm; looked for in so many steps of half of it.
 const APART: f64 = 10.0;
 const APART_STEPS: u32 = 12;
+/// A line that passes a point nearer than this passes through it, mm.
+const OFF_LINE: f64 = 0.1;
 /// How far the lines of what a polygon finds run past their meeting.
 const PAST: f64 = 7.0;
 /// Half the length of a line of which nothing but the line is known, mm.
@@ -68,6 +70,10 @@ pub enum ForcePanel {
     Friction(usize),
     /// The line of their sum on the skeleton.
     ShakingLine,
+    /// What moving links exert on the frame, and the sum.
+    Frame,
+    /// The line of that sum on the skeleton.
+    FrameLine,
     /// The arms that are asked and that no balance has.
     Arms,
 }
@@ -113,6 +119,14 @@ impl ForcePanel {
                 all.push(Self::ShakingLine);
             }
         }
+        if chain(&sheet.frame).is_some() {
+            if sheet.frame.len() > 1 {
+                all.push(Self::Frame);
+            }
+            if sheet.frame_line.is_some() {
+                all.push(Self::FrameLine);
+            }
+        }
         if sheet.arms.iter().any(|own| own.told == 0) {
             all.push(Self::Arms);
         }
@@ -130,7 +144,8 @@ impl ForcePanel {
             (_, "forces") | (Self::Loads, "loads") | (Self::Shaking | Self::ShakingLine, "shaking") => true,
             (Self::Body(_) | Self::Together(_), "bodies")
             | (Self::Polygon(_), "polygons")
-            | (Self::Whole, "polygon(all)") => true,
+            | (Self::Whole, "polygon(all)")
+            | (Self::Frame | Self::FrameLine, "polygon(frame)") => true,
             (Self::Friction(index), name) => {
                 let point = friction::point(index, sheet, notation.mechanism());
                 name == "friction" || point.is_some_and(|point| name == format!("friction({point})"))
@@ -187,6 +202,8 @@ impl ForcePanel {
             Self::Shaking => Rich::upright(words.shaking_figure),
             Self::Friction(index) => friction::title(index, sheet, notation),
             Self::ShakingLine => Rich::upright(words.shaking_line_figure),
+            Self::Frame => Rich::upright(words.frame_figure),
+            Self::FrameLine => Rich::upright(words.frame_line_figure),
             Self::Arms => Rich::upright(words.arms_figure),
         }
     }
@@ -196,13 +213,18 @@ impl ForcePanel {
     pub fn scale(self, sheet: &ForceSheet, notation: &Notation<'_>) -> Option<Rich> {
         match self {
             Self::Friction(index) => friction::scale(index, sheet, notation),
-            Self::Polygon(_) | Self::PolygonOf(_) | Self::Whole | Self::Shaking => {
+            Self::Polygon(_) | Self::PolygonOf(_) | Self::Whole | Self::Shaking | Self::Frame => {
                 let unit = &notation.scene.units.force;
                 let per_cm = per_mm(sheet, self, notation)? * 10.0 / unit.si;
                 let value = human::with_unit(&human::stated(per_cm), &unit.symbol);
                 Some(value.up("\u{a0}≡\u{a0}1\u{a0}cm"))
             }
-            Self::Loads | Self::Body(_) | Self::Together(_) | Self::ShakingLine | Self::Arms => None,
+            Self::Loads
+            | Self::Body(_)
+            | Self::Together(_)
+            | Self::ShakingLine
+            | Self::FrameLine
+            | Self::Arms => None,
         }
     }
 
@@ -252,7 +274,19 @@ impl ForcePanel {
                 let pole = Rich::italic("o").sub("f");
                 Some(polygon(&sheet.inertia, Some(sum), &pole, (self, sheet), notation))
             }
-            Self::ShakingLine => shaking_line(sheet, construction, notation),
+            Self::ShakingLine => {
+                let line = sheet.shaking.as_ref()?;
+                sum_line((Action::Shaking, &sheet.inertia, line), sheet, construction, notation)
+            }
+            Self::Frame => {
+                let sum = Quantity::Force(Force::Vector(Action::OnFrame), Share::Total);
+                let pole = Rich::italic("o").sub("f");
+                Some(polygon(&sheet.frame, Some(sum), &pole, (self, sheet), notation))
+            }
+            Self::FrameLine => {
+                let line = sheet.frame_line.as_ref()?;
+                sum_line((Action::OnFrame, &sheet.frame, line), sheet, construction, notation)
+            }
             Self::Arms => Some(asked_arms(sheet, construction, notation)),
         }
     }
@@ -355,6 +389,7 @@ fn sides<'a>(sheet: &'a ForceSheet, panel: ForcePanel, notation: &Notation<'_>) 
         }
         ForcePanel::Whole => Cow::Borrowed(&sheet.whole),
         ForcePanel::Shaking => Cow::Borrowed(&sheet.inertia),
+        ForcePanel::Frame => Cow::Borrowed(&sheet.frame),
         _ => Cow::Borrowed(&[]),
     }
 }
@@ -370,8 +405,8 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
     let drawn = |panel: &ForcePanel| {
         sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_))
     };
-    let all =
-        (0..sheet.bodies.len()).map(ForcePanel::Polygon).chain([ForcePanel::Whole, ForcePanel::Shaking]);
+    let of_sums = [ForcePanel::Whole, ForcePanel::Shaking, ForcePanel::Frame];
+    let all = (0..sheet.bodies.len()).map(ForcePanel::Polygon).chain(of_sums);
     let near = all.filter(drawn).filter_map(|other| filling(sheet, other, notation));
     Some(near.filter(|scale| *scale <= own * HARDLY).fold(own, f64::max))
 }
@@ -398,7 +433,7 @@ fn filling(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Op
 #[must_use]
 pub fn of_polygons(sheet: &ForceSheet, notation: &Notation<'_>) -> Option<f64> {
     let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
-    let all = bodies.chain([ForcePanel::Whole, ForcePanel::Shaking]);
+    let all = bodies.chain([ForcePanel::Whole, ForcePanel::Shaking, ForcePanel::Frame]);
     all.filter_map(|panel| per_mm(sheet, panel, notation)).reduce(f64::max)
 }
 
@@ -705,17 +740,20 @@ fn apart(others: &[Point], acting: &Acting, at: Point, most: f64) -> Point {
     best
 }
 
-/// The line of the shaking force on the skeleton, with its distance from the first fixed pivot.
-fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
-    let shaking = sheet.shaking.as_ref()?;
-    let arm = shaking.found.arm?;
+/// The line of a sum of forces on the skeleton, with its distance from the first fixed pivot.
+fn sum_line(
+    (action, forces, line): (Action, &[Acting], &MomentBalance),
+    sheet: &ForceSheet,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Option<Group> {
+    let arm = line.found.arm?;
     let mut bare = construction.clone();
     bare.space.lines.clear();
     bare.others.clear();
-    let sum =
-        sheet.inertia.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
+    let sum = forces.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
     let whole = Acting {
-        action: Action::Shaking,
+        action,
         at: arm.foot,
         through: arm.foot,
         force: sum,
@@ -723,16 +761,16 @@ fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Nota
         closes: false,
         with_couple: false,
     };
-    let most = largest(&sheet.inertia).max(libm::hypot(sum[0], sum[1]));
+    let most = largest(forces).max(libm::hypot(sum[0], sum[1]));
     Some(skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
         let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
         let mut taken = Vec::new();
-        let mut moments = shaking.clone();
+        let mut moments = line.clone();
         moments.terms.push(moments.found);
         let Some(frame) = Frame::of_skeleton(&bare) else { return overlay };
         let near = bare.space.places.iter().flatten().map(|place| page(*place)).next();
         let shown = (construction, notation);
-        for acting in &sheet.inertia {
+        for acting in forces {
             let at = frame.arrow_at(&mut overlay, acting, near, shown);
             let at = beyond(&mut taken, acting, at, most);
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
@@ -858,7 +896,9 @@ fn arms(
         own.mark(super::ink::head(foot, along, 2.0));
         own.mark(super::ink::head(about, -along, 2.0));
         // The line of the force as far as the foot, and a little past it.
-        let through = moments_line(sheet, term.of, construction).filter(|at| whole && frame.0.contains(*at));
+        let pin = moments.carried.and_then(|(_, pin)| *construction.space.places.get(pin.0)?).map(page);
+        let through = moments_line(sheet, term.of, (foot, pin), construction)
+            .filter(|at| whole && frame.0.contains(*at));
         if let Some(at) = through.filter(|at| at.distance(foot) > 1.0) {
             let past = foot + (foot - at).normalize() * 2.0;
             own.mark(Mark::stroke(Shape::Line(at, past), Pen { width: FINE, dash: Dash::Dashed }).precise());
@@ -928,16 +968,27 @@ pub fn meet_name(on: LinkId, notation: &Notation<'_>) -> Rich {
     Rich::italic("K").sub(&notation.number(on))
 }
 
-/// Where a force of a moment stands on the skeleton.
+/// Where a force of a moment stands on the skeleton; the pin to which it is carried, where its own line does not lead to
+/// the foot of its arm.
 fn moments_line(
     sheet: &ForceSheet,
     of: crate::graphical::construction::Turning,
+    (foot, pin): (Point, Option<Point>),
     construction: &Construction,
 ) -> Option<Point> {
     let (Turning::Force(action) | Turning::Along(action) | Turning::Across(action)) = of else { return None };
-    let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia);
-    let acting = all.into_iter().find(|acting| acting.action == action)?;
-    Some(on_page(acting.through, construction))
+    let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.frame);
+    let drawn = all.into_iter().find(|acting| acting.action == action);
+    let Some(acting) = drawn else {
+        // What the links of a pin exert on it is not drawn one by one, and passes through it.
+        let (Action::OnPin(_, at) | Action::OfPin(at, _)) = action else { return None };
+        return construction.space.places.get(at.0).copied().flatten().map(page);
+    };
+    let through = on_page(acting.through, construction);
+    let along = page(acting.force) - page([0.0; 2]);
+    let off = (foot - through).cross(along).abs();
+    let leads = off <= OFF_LINE * along.hypot();
+    Some(pin.filter(|_| !leads && matches!(of, Turning::Force(_))).unwrap_or(through))
 }
 
 /// One or more bodies cut free, with what acts on them.

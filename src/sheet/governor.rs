@@ -190,13 +190,51 @@ impl Teller<'_> {
             {
                 own.extend(self.about_to_move(state));
                 own.extend(teller.along_guide(along, governor, state.share == first));
+                own.extend(self.couple_of_sleeve(index).filter(|_| state.share == first));
             }
             if governor.arm == index {
                 own.extend(teller.of_arm(governor, state, state.share == first));
             }
             lines.extend(own);
         }
+        if governor.arm == index && !after {
+            lines.extend(self.one_speed(governor));
+        }
         lines.into_iter().map(Item::Sentence).collect()
+    }
+
+    /// That a sleeve on which nothing rubs rises and falls at the speed at which it rests.
+    fn one_speed(&self, governor: &Governor) -> Option<Rich> {
+        let asked = self.n.mechanism().asked.iter().filter_map(|asked| match asked.quantity {
+            Quantity::Force(Force::Spin, share @ (Share::Rising | Share::Falling)) => Some(share),
+            _ => None,
+        });
+        let forces = &self.n.mechanism().forces;
+        let rubs = forces.spin.is_some_and(|spin| spin.drag.is_some()) || !forces.friction.is_empty();
+        let others: Vec<Share> = asked.filter(|_| governor.states.len() == 1 && !rubs).collect();
+        let own = self.whole(Force::Spin);
+        let named = |share: Share| self.n.symbol(Quantity::Force(Force::Spin, share), false);
+        for share in &others {
+            self.figures.borrow_mut().alias(Key::Of(Quantity::Force(Force::Spin, *share)), own);
+        }
+        let names: Vec<Rich> =
+            others.iter().map(|share| named(*share)).chain([named(Share::Total)]).collect();
+        (names.len() > 1).then(|| Rich::join(&names, &Rich::upright(EQUALS)).up("."))
+    }
+
+    /// That the guide holds a sleeve whose forces do not pass through one point.
+    fn couple_of_sleeve(&self, index: usize) -> Option<Rich> {
+        /// A couple that is a smaller part of the moments is their rounding.
+        const NONE: f64 = 1e-6;
+        let acting = &self.sheet.bodies.get(index)?.acting;
+        let [x, y] = acting.first()?.through;
+        let moments: Vec<f64> = acting
+            .iter()
+            .map(|own| (own.through[0] - x) * own.force[1] - (own.through[1] - y) * own.force[0])
+            .collect();
+        let (sum, size) = moments.iter().fold((0.0, 0.0), |(sum, size), own| (sum + own, size + own.abs()));
+        (sum.abs() > NONE * f64::max(size, f64::MIN_POSITIVE))
+            .then(|| Rich::upright(self.n.words.governor_couple))
     }
 
     /// The size of what is found on the sleeve.

@@ -135,7 +135,7 @@ pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich
         [to(decimals)].into_iter().chain(other).map(move |read| (read, decimals))
     });
     // A guard figure, where nothing else gives the result.
-    let near = near.chain([(to(finest + 1), finest + 1)]);
+    let near = near.chain((finest < 3).then(|| (to(finest + 1), finest + 1)));
     let mut closing = near.filter(|(read, _)| agrees(read * factor, written, result, more));
     if let Some((read, decimals)) = closing.next() {
         return (shown(read, decimals), wanted, written);
@@ -167,6 +167,14 @@ pub fn limited(value: f64, more: usize) -> (Rich, f64) {
     let (text, written) = finer(value, most);
     let same = |fewer: &(Rich, f64)| fewer.1 == written;
     (0..most).map(|fewer| finer(value, fewer)).find(same).unwrap_or((text, written))
+}
+
+/// What is reckoned from rounded numbers: of more than four figures as many as it has in common with the exact result, for
+/// rounded numbers carry no more. Four are a guard for what is computed from it.
+pub fn in_common(reckoned: f64, exact: f64, more: usize) -> (Rich, f64) {
+    let four = READ_FIGURES.saturating_sub(usual_figures(exact)).min(more);
+    let common = (four + 1..=more).rev().find(|more| limited(reckoned, *more).1 == limited(exact, *more).1);
+    limited(reckoned, common.unwrap_or(four))
 }
 
 /// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it: what lies

@@ -337,7 +337,13 @@ impl Figures {
                 *own = (*own).max(more);
             }
             if (reckoned - exact).abs() <= far * exact.abs() {
-                (text, number) = human::limited(reckoned, more);
+                (text, number) = match key {
+                    // Of what nothing follows.
+                    Some(Key::Of(Quantity::Force(Force::Torque(_) | Force::Drive(_), _))) => {
+                        human::in_common(reckoned, exact, more)
+                    }
+                    _ => human::limited(reckoned, more),
+                };
             } else {
                 let values: Vec<f64> = factors.iter().map(|(_, si, unit)| si.abs() / unit.si).collect();
                 numbers = human::closing_all(&values, exact, &reckon);

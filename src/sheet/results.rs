@@ -156,6 +156,9 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
             };
             vec![symbol, amount(size), direction]
         }
+        Answer::AtInfinity { .. } if matches!(asked.quantity, Quantity::Force(..)) => {
+            vec![symbol, Rich::upright("∞").word(words.at_infinity), Rich::default()]
+        }
         Answer::AtInfinity { direction: [x, y], .. } => {
             let angle = libm::remainder(libm::atan2(*y, *x), std::f64::consts::PI);
             let angle = if angle < 0.0 { angle + std::f64::consts::PI } else { angle };

@@ -653,7 +653,7 @@ pub fn largest_diagram(scene: &Scene, construction: &Construction, question: boo
         }
         if let (Some(forces), Some(stated)) = (&construction.forces, scene.sheet.force_scale) {
             let acting = forces.bodies.iter().flat_map(|body| &body.acting);
-            let acting = acting.chain(&forces.whole).chain(&forces.inertia);
+            let acting = acting.chain(&forces.whole).chain(&forces.inertia).chain(&forces.frame);
             sizes.extend(acting.map(|acting| libm::hypot(acting.force[0], acting.force[1]) / stated));
         }
     }

@@ -50,8 +50,13 @@ pub fn told(
         }
         all.extend(teller.body(index));
     }
+    for pair in teller.asked_of_pins() {
+        let [of, is] = pair.map(|action| teller.whole(Force::Vector(action)));
+        figures.borrow_mut().alias(of, is);
+    }
     all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
+    all.push((ForcePanel::Frame, teller.on_frame()));
     all.push((ForcePanel::Loads, teller.stiffnesses()));
     all.push((ForcePanel::Arms, teller.asked_arms()));
     all.push((ForcePanel::Whole, teller.shares()));
@@ -95,7 +100,7 @@ fn numbered(sheet: &ForceSheet, arm: &Arm) -> Option<usize> {
     if last.is_some_and(|last| last == *arm) {
         return None;
     }
-    let all = sheet.moments.iter().chain(&sheet.shaking);
+    let all = sheet.moments.iter().chain(&sheet.shaking).chain(&sheet.frame_line);
     let arms =
         all.flat_map(|moments| moments.terms.iter().chain([&moments.found])).filter_map(|term| term.arm);
     // Forces on one line have one arm.
@@ -294,8 +299,8 @@ impl Teller<'_> {
             return line;
         }
         let more = result.key.map_or(0, |key| self.figures.borrow().more(key));
-        let (text, own) = human::limited(number * unit.si / told.si, more);
         let exact = result.si / told.si;
+        let (text, own) = human::in_common(number * unit.si / told.si, exact, more);
         if let Some(key) = result.key {
             let mut figures = self.figures.borrow_mut();
             // Where rounding twice would be seen the first number has a figure more.
@@ -303,7 +308,7 @@ impl Teller<'_> {
                 figures.want(key);
             }
             // What follows uses the number that stands here.
-            let bare = human::limited(own.abs(), more).0;
+            let bare = if own < 0.0 { human::limited(own.abs(), more).0 } else { text.clone() };
             figures.note_also(key, &bare, (own.abs(), exact.abs()), told);
         }
         line.up(EQUALS).then(&human::with_unit(&text, &told.symbol))
@@ -910,6 +915,7 @@ impl Teller<'_> {
                 }
             }
         }
+        items.extend(self.names_at_pins(index).into_iter().map(Item::Sentence));
         items.extend(self.members(index).into_iter().map(Item::Sentence));
         let drags = super::friction::drags_before(index, self.sheet);
         items.extend(drags.map(|rub| Item::Sentence(super::friction::sentence(rub, self.sheet, self.n))));
@@ -1371,6 +1377,13 @@ impl Teller<'_> {
         let words = self.n.words;
         let units = &self.n.scene.units;
         let mut lines = Vec::new();
+        if let (Some((link, pin)), true) = (moments.carried, first) {
+            let parts = [("link", Rich::upright(self.n.number(link))), ("point", self.n.point(pin))];
+            lines.push(Rich::fill(words.carried_to_pin, &parts));
+        }
+        if first {
+            lines.extend(self.pin_in_balance(moments));
+        }
         let measured = if first { self.arms_of(moments) } else { Vec::new() };
         if !measured.is_empty() {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
@@ -1431,6 +1444,71 @@ impl Teller<'_> {
             line.word(sense)
         }));
         lines
+    }
+
+    /// What the other links exert on the pin of several links is what the pin exerts on this one: where moments take them
+    /// one by one and the pin is not cut free.
+    fn pin_in_balance(&self, moments: &MomentBalance) -> Vec<Rich> {
+        let of_pin = |term: &MomentTerm| match term.of {
+            Turning::Force(Action::OnPin(_, pin))
+            | Turning::Along(Action::OnPin(_, pin))
+            | Turning::Across(Action::OnPin(_, pin)) => Some(pin),
+            _ => None,
+        };
+        let mut pins: Vec<PointId> =
+            moments.terms.iter().chain([&moments.found]).filter_map(of_pin).collect();
+        pins.sort_unstable();
+        pins.dedup();
+        let cut_free = |pin: PointId| self.sheet.bodies.iter().any(|body| body.of == Party::Pin(pin));
+        let told = pins.into_iter().filter(|pin| !cut_free(*pin)).filter_map(|pin| {
+            let parties = self.n.mechanism().parties_at(pin);
+            let on = *parties.iter().find(|link| moments.links.contains(link))?;
+            let others: Vec<Rich> = parties
+                .iter()
+                .filter(|link| **link != on)
+                .map(|link| self.symbol(Action::OnPin(*link, pin)))
+                .collect();
+            let equation = self
+                .symbol(Action::OfPin(pin, on))
+                .up(EQUALS)
+                .then(&Rich::join(&others, &Rich::upright(" + ")));
+            let parts = [("point", self.n.point(pin)), ("equation", equation)];
+            (others.len() > 1).then(|| Rich::fill(self.n.words.pin_balance, &parts))
+        });
+        told.collect()
+    }
+
+    /// What stands in the table as the force of one link on another and is told as that of their pin, and
+    /// this.
+    fn asked_of_pins(&self) -> Vec<[Action; 2]> {
+        let m = self.n.mechanism();
+        let asked = m.asked.iter().filter_map(|asked| {
+            let Quantity::Force(Force::Vector(pair @ Action::Pair { by, on }), Share::Total) = asked.quantity
+            else {
+                return None;
+            };
+            let pin = m.meeting_point(by, on).filter(|pin| m.parties_at(*pin).len() > 2)?;
+            let carrier = m.carrier(pin)?;
+            let link = if carrier == by { on } else { by };
+            [by, on].contains(&carrier).then_some([pair, Action::OfPin(pin, link)])
+        });
+        asked.collect()
+    }
+
+    /// The two names of such a force, where its body comes first.
+    fn names_at_pins(&self, index: usize) -> Vec<Rich> {
+        let has = |body: &FreeBody, action: Action| body.acting.iter().any(|acting| acting.action == action);
+        let mut told = Vec::new();
+        for [pair, of_pin] in self.asked_of_pins() {
+            if self.sheet.bodies.iter().position(|body| has(body, of_pin)) != Some(index) {
+                continue;
+            }
+            let turned =
+                matches!((pair, of_pin), (Action::Pair { by, .. }, Action::OfPin(_, on)) if by == on);
+            let sign = if turned { "−" } else { "" };
+            told.push(self.symbol(pair).up(EQUALS).up(sign).then(&self.symbol(of_pin)).up("."));
+        }
+        told
     }
 
     /// ΣF·arm, those terms first that turn as the sum does, or what it is by a divisor: names, numbers and result.
@@ -1688,12 +1766,32 @@ impl Teller<'_> {
     /// The shaking force, and its line by moments about the first fixed pivot.
     fn shaking(&self) -> Vec<Item> {
         let Some(shaking) = &self.sheet.shaking else { return Vec::new() };
+        let head = self.head(Rich::upright(self.n.words.shaking_figure));
+        let sum = self.sum(Action::Shaking, &self.sheet.inertia, ForcePanel::Shaking);
+        let line = self.line_of_sum(Action::Shaking, &self.sheet.inertia, shaking);
+        [head].into_iter().chain(sum).chain(line.into_iter().map(Item::Sentence)).collect()
+    }
+
+    /// What the frame feels: the sum of what its pairs pass on, and its line.
+    fn on_frame(&self) -> Vec<Item> {
+        if self.sheet.frame.is_empty() {
+            return Vec::new();
+        }
+        let head = self.head(Rich::upright(self.n.words.frame_figure));
+        let sum = self.sum(Action::OnFrame, &self.sheet.frame, ForcePanel::Frame);
+        let line = self.sheet.frame_line.iter();
+        let line = line.flat_map(|line| self.line_of_sum(Action::OnFrame, &self.sheet.frame, line));
+        [head].into_iter().chain(sum).chain(line.map(Item::Sentence)).collect()
+    }
+
+    /// A force as the sum of others, read off their polygon.
+    fn sum(&self, action: Action, forces: &[Acting], panel: ForcePanel) -> Vec<Item> {
         let words = self.n.words;
-        let mut items = vec![self.head(Rich::upright(words.shaking_figure))];
-        if let [only] = &self.sheet.inertia[..] {
+        let mut items = Vec::new();
+        if let [only] = forces {
             // One force is its own sum, and stands as it was told.
             let unit = &self.n.scene.units.force;
-            let [of, is] = [Action::Shaking, only.action].map(|action| self.whole(Force::Vector(action)));
+            let [of, is] = [action, only.action].map(|action| self.whole(Force::Vector(action)));
             let number = {
                 let mut figures = self.figures.borrow_mut();
                 let number = figures.tell(is, libm::hypot(only.force[0], only.force[1]), unit);
@@ -1702,25 +1800,21 @@ impl Teller<'_> {
             };
             let angle =
                 Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(only.force[1], only.force[0])));
-            let equal = self.symbol(Action::Shaking).up(EQUALS).then(&self.symbol(only.action));
+            let equal = self.symbol(action).up(EQUALS).then(&self.symbol(only.action));
             let told = equal.up(words.semicolon).then(&number).up(words.comma).then(&angle).up(".");
             items.push(Item::Sentence(told));
             return items;
         }
-        let terms: Vec<Rich> = self.sheet.inertia.iter().map(|acting| self.symbol(acting.action)).collect();
-        let sum = self
-            .sheet
-            .inertia
-            .iter()
-            .fold([0.0; 2], |sum: [f64; 2], acting| [sum[0] + acting.force[0], sum[1] + acting.force[1]]);
-        let symbol = self.symbol(Action::Shaking);
+        let terms: Vec<Rich> = forces.iter().map(|acting| self.symbol(acting.action)).collect();
+        let sum = forces.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
+        let symbol = self.symbol(action);
         if terms.len() > 1 {
             let equation = symbol.up(EQUALS).then(&Rich::join(&terms, &Rich::upright(" + "))).up(".");
             items.push(Item::Sentence(equation));
         }
-        if let Some(per_mm) = per_mm(self.sheet, ForcePanel::Shaking, self.n) {
+        if let Some(per_mm) = per_mm(self.sheet, panel, self.n) {
             let acting = Acting {
-                action: Action::Shaking,
+                action,
                 at: [0.0; 2],
                 through: [0.0; 2],
                 force: sum,
@@ -1730,7 +1824,6 @@ impl Teller<'_> {
             };
             items.push(Item::Sentence(self.read(&acting, per_mm)));
         }
-        items.extend(self.shaking_arm(shaking).into_iter().map(Item::Sentence));
         items
     }
 
@@ -1739,9 +1832,21 @@ impl Teller<'_> {
         let units = &self.n.scene.units;
         let mut items = vec![self.head(Rich::upright(self.n.words.arms_figure))];
         let mut couples: Vec<Action> = Vec::new();
+        let mut told: Vec<(Action, PointId)> = Vec::new();
         for own in &self.sheet.arms {
-            let (Turning::Torque(of), Some(arm)) = (own.found.of, own.found.arm) else { continue };
-            let (Force::Arm(action, about) | Force::Moment(action, about)) = of else { continue };
+            let Turning::Torque(of @ (Force::Arm(action, about) | Force::Moment(action, about))) =
+                own.found.of
+            else {
+                continue;
+            };
+            let Some(arm) = own.found.arm else {
+                let named = self.n.symbol(Quantity::Force(of, Share::Total), false);
+                let equation = named.up(EQUALS).up("0");
+                let parts =
+                    [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
+                items.push(Item::Sentence(Rich::fill(self.n.words.passes_through, &parts)));
+                continue;
+            };
             if super::forces::is_a_couple(&arm, self.construction) {
                 // The line of what is but rounding lies anywhere.
                 if couples.contains(&action) {
@@ -1768,7 +1873,11 @@ impl Teller<'_> {
                     .alias(Key::Of(Quantity::Force(Force::Arm(action, about), Share::Total)), key);
                 named.up(EQUALS).then(&told).up(EQUALS).then(&self.arm(&arm))
             };
-            items.push(Item::Sentence(line));
+            // An arm is told once, for itself and for its moment.
+            if !told.contains(&(action, about)) {
+                told.push((action, about));
+                items.push(Item::Sentence(line));
+            }
             if let Force::Moment(..) = of {
                 let factors = [
                     Factor::new(own.found.size, &units.force, "N").of(self.whole(Force::Vector(action))),
@@ -1876,30 +1985,29 @@ impl Teller<'_> {
         items
     }
 
-    /// e = ΣF·arm / F_S.
-    fn shaking_arm(&self, shaking: &MomentBalance) -> Vec<Rich> {
+    /// e = ΣF·arm / F_S, of the shaking force or another sum.
+    fn line_of_sum(&self, action: Action, forces: &[Acting], line: &MomentBalance) -> Vec<Rich> {
         let units = &self.n.scene.units;
         let words = self.n.words;
-        let Some(arm) = shaking.found.arm else { return Vec::new() };
-        let sum: f64 = shaking.terms.iter().map(|term| term.moment).sum();
-        // One force is its own sum, and so is its line.
-        if shaking.terms.is_empty() || self.sheet.inertia.len() < 2 || sum == 0.0 {
+        let Some(arm) = line.found.arm else { return Vec::new() };
+        let sum: f64 = line.terms.iter().map(|term| term.moment).sum();
+        // One force without a couple is its own sum, and so is its line.
+        if line.terms.is_empty() || (forces.len() < 2 && line.terms.len() < 2) || sum == 0.0 {
             return Vec::new();
         }
         let mut lines = Vec::new();
-        let measured = self.arms_of(&MomentBalance { found: shaking.terms[0], ..shaking.clone() });
+        let measured = self.arms_of(&MomentBalance { found: line.terms[0], ..line.clone() });
         if !measured.is_empty() {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
         }
-        let force = self.whole(Force::Vector(Action::Shaking));
-        let size = Factor::new(shaking.found.size, &units.force, "N").of(force);
-        let result =
-            Factor::new(sum.abs() / shaking.found.size, &units.length, "m").of(self.key_of_arm(&arm));
+        let force = self.whole(Force::Vector(action));
+        let size = Factor::new(line.found.size, &units.force, "N").of(force);
+        let result = Factor::new(sum.abs() / line.found.size, &units.length, "m").of(self.key_of_arm(&arm));
         let name = arm_name(self.sheet, &arm, self.n);
-        let divisor = Some((self.symbol(Action::Shaking), size));
-        let equation = self.weighed(name, &shaking.terms, divisor, result);
-        let About::Point(about) = shaking.about else { return Vec::new() };
+        let divisor = Some((self.symbol(action), size));
+        let equation = self.weighed(name, &line.terms, divisor, result);
+        let About::Point(about) = line.about else { return Vec::new() };
         let parts = [("point", self.n.point(about)), ("equation", equation)];
         lines.push(Rich::fill(words.shaking_line, &parts));
         lines

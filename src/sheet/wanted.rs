@@ -49,7 +49,7 @@ fn of_forces(name: &str, scene: &Scene) -> Result<(), String> {
             let rubs = pairs.iter().any(|pair| scene.mechanism.rubbing_name(*pair) == Some(point));
             if rubs { Ok(()) } else { Err(format!("figure {name}: nothing rubs at {point}")) }
         }
-        (true, Some("all")) if head == "polygon" => Ok(()),
+        (true, Some("all" | "frame")) if head == "polygon" => Ok(()),
         (true, Some(names)) => {
             let names: Vec<&str> = names.split(',').map(str::trim).collect();
             let known = |link: &&str| {

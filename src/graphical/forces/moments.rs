@@ -180,8 +180,16 @@ impl Draughtsman<'_> {
         let found = torque(Force::Moment(pair, pin), -size);
         let told = told.min(place);
         let about = Told::Point(pin);
-        (size != 0.0)
-            .then(|| self.with_shared_arms(MomentBalance { links: vec![rider], told, about, terms, found }))
+        (size != 0.0).then(|| {
+            self.with_shared_arms(MomentBalance {
+                links: vec![rider],
+                told,
+                about,
+                terms,
+                found,
+                carried: None,
+            })
+        })
     }
 
     pub(super) fn moment_balance(&mut self, taken: &Taken, bodies: &[FreeBody]) -> Option<MomentBalance> {
@@ -341,6 +349,7 @@ impl Draughtsman<'_> {
             TakenFor::Effort(_) if found.is_none() => Some(self.sought_on(first)?),
             _ => None,
         };
+        let mut carried = None;
         // Of links that are cut free together nothing that acts between them counts, and nothing twice.
         let together = |link: LinkId| bodies.iter().any(|body| body.with.contains(&link));
         let own = |body: &&FreeBody| body.links().iter().all(|link| taken.links.contains(link));
@@ -350,6 +359,7 @@ impl Draughtsman<'_> {
                 continue;
             }
             let moved = riders.iter().find(|(block, _)| *block == link).map(|(_, at)| *at);
+            let mut off_the_pin = false;
             let mut acting = self.acting_on(body);
             if let TakenFor::Driven(input) = taken.found
                 && let Some(pin) = self.mechanism.driven_point(input)
@@ -403,7 +413,13 @@ impl Draughtsman<'_> {
                 } else {
                     moved
                 };
+                if let Some(at) = moved {
+                    off_the_pin |= !shifted && self.moment_term(action, at, None).is_some();
+                }
                 terms.extend(self.moment_term(action, about, place));
+            }
+            if moved.is_some() && (off_the_pin || !body.torques.is_empty()) {
+                carried = self.rider_pin(taken).map(|pin| (link, pin));
             }
             if moved.is_none() {
                 let given = body.torques.iter().filter(|(force, _)| !matches!(force, Force::Torque(_)));
@@ -448,7 +464,22 @@ impl Draughtsman<'_> {
                 Told::Meet { on, of: *of, at: at.value().map(|mm| mm * per_mm) }
             }
         };
-        Some(self.with_shared_arms(MomentBalance { links: taken.links.clone(), told, about, terms, found }))
+        Some(self.with_shared_arms(MomentBalance {
+            links: taken.links.clone(),
+            told,
+            about,
+            terms,
+            found,
+            carried,
+        }))
+    }
+
+    /// The pin of what rides in the guide whose force these moments give.
+    fn rider_pin(&self, taken: &Taken) -> Option<PointId> {
+        match taken.found {
+            TakenFor::Slide(slide) => self.riding_pin(slide),
+            _ => None,
+        }
     }
 
     /// Forces on one line have one arm.
@@ -508,7 +539,25 @@ impl Draughtsman<'_> {
         for force in asked {
             let (Force::Arm(action, pin) | Force::Moment(action, pin)) = force else { continue };
             let at = self.at(pin);
-            let Some(term) = self.moment_term(action, at, None) else { continue };
+            let Some(term) = self.moment_term(action, at, None) else {
+                // What has a size and no arm passes through the point.
+                if let Some(own) = self.acting(action, super::super::construction::Knowledge::Full)
+                    && own.force != [0.0; 2]
+                {
+                    let size = libm::hypot(own.force[0], own.force[1]);
+                    let found = MomentTerm { of: Turning::Torque(force), size, arm: None, moment: 0.0 };
+                    let about = Told::Point(pin);
+                    all.push(MomentBalance {
+                        links: Vec::new(),
+                        told: 1,
+                        about,
+                        terms: Vec::new(),
+                        found,
+                        carried: None,
+                    });
+                }
+                continue;
+            };
             let same = |term: &MomentTerm| matches!(term.of, Turning::Force(of) if same_pair(of, action));
             let mut terms = told.iter().filter(|moments| moments.about == Told::Point(pin));
             let known = terms.find_map(|moments| {
@@ -538,6 +587,7 @@ impl Draughtsman<'_> {
                 about: Told::Point(pin),
                 terms: vec![MomentTerm { of: Turning::Force(action), ..term }],
                 found: term,
+                carried: None,
             });
         }
         all
@@ -623,7 +673,35 @@ impl Draughtsman<'_> {
             }
         }
         terms.retain(|term| term.moment != 0.0);
-        Some(MomentBalance { links: Vec::new(), told: 0, about: Told::Point(about), terms, found })
+        Some(MomentBalance {
+            links: Vec::new(),
+            told: 0,
+            about: Told::Point(about),
+            terms,
+            found,
+            carried: None,
+        })
+    }
+
+    /// The line of what the frame feels: its moment about the first fixed pivot is that of all pairs.
+    pub(super) fn frame_line_told(&mut self, pairs: &[Acting]) -> Option<MomentBalance> {
+        let about = (0..self.mechanism.points.len()).map(PointId).find(|p| self.mechanism.is_fixed(*p))?;
+        let at = self.at(about);
+        let found = self.moment_term(Action::OnFrame, at, None)?;
+        let terms = pairs.iter().filter_map(|acting| self.moment_term(acting.action, at, None));
+        let mut terms: Vec<MomentTerm> = terms.collect();
+        terms.retain(|term| term.moment != 0.0);
+        let balance = MomentBalance {
+            links: Vec::new(),
+            told: 0,
+            about: Told::Point(about),
+            terms,
+            found,
+            carried: None,
+        };
+        let sum: f64 = balance.terms.iter().map(|term| term.moment).sum();
+        let largest = balance.terms.iter().map(|term| term.moment.abs()).fold(found.moment.abs(), f64::max);
+        ((sum - found.moment).abs() <= CLOSED * largest).then(|| self.with_shared_arms(balance))
     }
 
     /// What inertia and weight each mass has.
@@ -647,10 +725,10 @@ impl Draughtsman<'_> {
                 let pole = self.board.origin();
                 let mm = self.board.distance(pole, image);
                 let scale = self.polygon_scale(Order::Acceleration);
-                self.board.read(mm, scale).value()
+                // What its own error does not tell from zero is none.
+                if self.board.is_nothing(mm) { 0.0 } else { self.board.read(mm, scale).value() }
             };
             let turns = !self.translates[mass.link.0];
-            // What its own error does not tell from zero is none.
             let alpha = turns.then(|| {
                 let rate = self.rate(Order::Acceleration, mass.link);
                 if self.board.is_no_amount(rate) { 0.0 } else { rate.value() }

@@ -20,6 +20,7 @@ pub(in super::super) enum ForceRead {
 const NOT_DRAWN: &str = "no polygon of the drawing leads to this force";
 const NO_CARRIER: &str = "balance does not say how these links share their pin: name its `carrier` in `pins`, or ask for the force of the pin";
 const NO_LINE: &str = "the force is zero and has no line";
+const NO_INERTIA: &str = "neither an inertia force nor a couple acts: there is no line";
 
 type Found<T> = Result<T, &'static str>;
 
@@ -106,10 +107,17 @@ impl Draughtsman<'_> {
             }
             Force::Offset(link) => {
                 let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
-                if self.mechanism.is_fixed(mass.centre) {
-                    return Ok(ForceRead::AtInfinity);
+                let items = self.inertia_items(&mass, share);
+                let sum = self.sum_of(&items);
+                let mm = self.board.distance(sum.tail, sum.head);
+                if !self.board.is_nothing(mm) {
+                    return self.find_force(Force::Arm(Action::Inertia(link), mass.centre), share);
                 }
-                self.find_force(Force::Arm(Action::Inertia(link), mass.centre), share)?
+                let couple = items.iter().find_map(|item| item.couple);
+                match couple {
+                    Some(couple) if !self.board.is_no_amount(couple) => ForceRead::AtInfinity,
+                    _ => return Err(NO_INERTIA),
+                }
             }
             Force::Moment(action, about) => {
                 let items = self.items_of(action, share)?;

@@ -149,7 +149,9 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
     let members = members.into_iter().filter_map(|member| d.member_told(member, &bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
-    let told: Vec<MomentBalance> = moments.iter().chain(&shaking).cloned().collect();
+    let frame = if everything && d.asks_frame() { d.on_frame_told() } else { Vec::new() };
+    let frame_line = if frame.is_empty() { None } else { d.frame_line_told(&frame) };
+    let told: Vec<MomentBalance> = moments.iter().chain(&shaking).chain(&frame_line).cloned().collect();
     let arms = d.arms_asked(&told);
     // A governor rests in its own plane.
     let governs = d.mechanism.forces.spin.is_some();
@@ -176,6 +178,8 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
         whole,
         inertia,
         shaking,
+        frame,
+        frame_line,
         trial,
         group_trials,
         contacts,
@@ -305,7 +309,7 @@ fn closed_by_the_last(bodies: &mut [FreeBody]) {
 pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
     let mut all: Vec<Quantity> = Vec::new();
     let of_bodies = sheet.bodies.iter().flat_map(|body| &body.acting);
-    for acting in of_bodies.chain(&sheet.whole).chain(&sheet.inertia) {
+    for acting in of_bodies.chain(&sheet.whole).chain(&sheet.inertia).chain(&sheet.frame) {
         let quantity = Quantity::Force(Force::Vector(acting.action), sheet.share);
         if !all.contains(&quantity) {
             all.push(quantity);
@@ -319,6 +323,9 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
     }
     all
 }
+
+/// Sums of forces that differ by less than this part of the largest of these are one.
+const SAME_SUM: f64 = 1e-9;
 
 impl Draughtsman<'_> {
     /// The bodies of a group in the order that is preferred, or in another one where in that order a polygon would be laid
@@ -1005,5 +1012,46 @@ impl Draughtsman<'_> {
             }
         }
         all
+    }
+
+    /// Whether somebody asks what the frame feels.
+    fn asks_frame(&self) -> bool {
+        self.mechanism.asked.iter().any(|asked| {
+            let Quantity::Force(force, _) = asked.quantity else { return false };
+            matches!(
+                force,
+                Force::Vector(Action::OnFrame)
+                    | Force::Moment(Action::OnFrame, _)
+                    | Force::Arm(Action::OnFrame, _)
+            )
+        })
+    }
+
+    /// What moving links exert on the frame, pair by pair; nothing where these are not its whole force.
+    fn on_frame_told(&mut self) -> Vec<Acting> {
+        let (m, on) = (self.mechanism, LinkId::FRAME);
+        let mut all: Vec<Acting> = Vec::new();
+        for by in m.moving() {
+            for pair in m.pairs_between(by, on) {
+                let action = match pair {
+                    crate::mechanism::force::Through::Pin(pin) if m.parties_at(pin).len() > 2 => {
+                        Action::OfPin(pin, on)
+                    }
+                    crate::mechanism::force::Through::Roll(roll) => m.force_of_roll(roll, on),
+                    _ => Action::Pair { by, on },
+                };
+                if all.iter().all(|other| other.action != action) {
+                    let acting = self.acting(action, Knowledge::Full);
+                    all.extend(acting.filter(|acting| acting.force != [0.0; 2]));
+                }
+            }
+        }
+        let Some(whole) = self.acting(Action::OnFrame, Knowledge::Full) else { return Vec::new() };
+        let largest = all.iter().map(|a| libm::hypot(a.force[0], a.force[1])).fold(0.0, f64::max);
+        let adds_up = [0, 1].iter().all(|&axis| {
+            let sum: f64 = all.iter().map(|acting| acting.force[axis]).sum();
+            (sum - whole.force[axis]).abs() <= SAME_SUM * largest
+        });
+        if adds_up { all } else { Vec::new() }
     }
 }
