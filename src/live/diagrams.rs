@@ -789,8 +789,9 @@ fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
     let mut ink = all;
     if panel.kind == DiagramKind::Skeleton {
         ink = panel.ink.bounds().unwrap_or(all);
-        // Wheels and plates reach beyond the places of their links.
-        let body = |moving: &&Moving| matches!(moving.by, Move::Whole(_));
+        // Wheels and plates reach beyond the places of their links; what is drawn over them may run off the paper.
+        let is_whole = matches!(panel.shows, Shows::Diagram);
+        let body = |moving: &&Moving| is_whole && matches!(moving.by, Move::Whole(_));
         for seen in course.iter().map(|numbers| panel.seen(numbers)) {
             let moved = panel.moving.iter().filter(body).filter_map(|moving| moving.moved(&home, &seen));
             let near = |bounds: &Rect| bounds.width().max(bounds.height()) < most;

@@ -59,7 +59,7 @@ class Track {
 }
 
 /** A point that is led is where it is wanted, mm. */
-const NEAR = 0.05;
+const HELD = 0.05;
 
 /** Leads a point of a frame as near to a point as the course allows, by at most so much of the input. */
 function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @type {Panel} */ panel, /** @type {any} */ spot,
@@ -99,5 +99,5 @@ function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @ty
   }
   // At a limit whoever wants further is stopped there, as he was when he came.
   const found = track.go(at, by);
-  return best > NEAR && [-1, 1].some((way) => track.go(found.at, way * most * 1e-5).stopped) ? { ...found, stopped: true } : found;
+  return best > HELD && [-1, 1].some((way) => track.go(found.at, way * most * 1e-5).stopped) ? { ...found, stopped: true } : found;
 }

@@ -5,7 +5,7 @@
 const SIZE = 0, SIGNED = 1, LENGTH = 2, ON_PAPER = 3, DIRECTION = 4, INPUT = 5, SENSE = 6, AMOUNT = 7, FACTOR = 8, READ = 9, BETWEEN = 10, CALCULATED = 11, ONE_NUMBER = 12;
 
 /** Away from the scene's own position, where the sheet tells how many figures lines need, what is read has so many more than usual. */
-const CARRIED = 1;
+const FINER = 1;
 
 /** The sentences of the steps; of one whose words hang on a length all that it may say. @param {any[]} steps */
 function sentencesOf(steps) {
@@ -83,7 +83,7 @@ function readings(page) {
     // What is a point on paper is not read off it, nor laid off.
     if (!isWorded && isPoint(size / siPerMm)) return null;
     if (form === ON_PAPER) return fixed(size / siPerMm, more);
-    const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, page.isOwn ? more : CARRIED);
+    const [read, by] = readOff(size / siPerMm, siPerMm / si, size / si, page.isOwn ? more : FINER);
     amount = by;
     return read;
   }

@@ -47,7 +47,7 @@ function amountText(/** @type {Page} */ page, /** @type {number} */ output, /** 
   if (own?.si !== si) return withPower(value / si, more);
   const { siPerMm } = page.panels[own.panel] || {};
   if (!siPerMm || isPoint(value / siPerMm)) return withPower(value / si, own.more);
-  return readOff(value / siPerMm, siPerMm / si, value / si, page.isOwn ? own.more : CARRIED)[1];
+  return readOff(value / siPerMm, siPerMm / si, value / si, page.isOwn ? own.more : FINER)[1];
 }
 
 /** Value and sense of a quantity. @returns {{value: string, sense: string}} */
