@@ -276,6 +276,66 @@ fn a_given_number_that_was_misread_costs_one_mark() {
     }
 }
 
+#[test]
+fn a_skeleton_at_another_scale_is_compared_at_its_own() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 20] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 45 }, "3": { "joins": ["A", "B"], "length": 130 },
+            "4": { "joins": ["O4", "B"], "length": 90 }
+        },
+        "near": { "B": [130, 110] }, "input": { "link": 2, "angle": 70, "omega": "180 rpm cw" },
+        "find": ["omega(3)"]
+    });
+    let right = misread([150.0, 20.0], [45.0, 130.0, 90.0], 70.0);
+    // B by V_B = ω₄ × BO₄.
+    let parts: Vec<f64> =
+        right["v(B)"]["components"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let omega = -right["omega(4)"]["value"].as_f64().unwrap();
+    let b = [150.0 + parts[1] / omega, 20.0 - parts[0] / omega];
+    let a = [45.0 * libm::cos(70.0_f64.to_radians()), 45.0 * libm::sin(70.0_f64.to_radians())];
+    let enlarged = [0.5, 2.5].map(|times| {
+        let at = |[x, y]: [f64; 2]| json!([x * times, y * times]);
+        let skeleton = json!({ "O2": [0, 0], "O4": at([150.0, 20.0]), "A": at(a), "B": at(b) });
+        let answers =
+            json!({ "values": { "omega(3)": right["omega(3)"] }, "points": { "skeleton": skeleton } });
+        let report = graded(&scene, &answers);
+        assert!(report.first_fault().is_none(), "{}", report.to_text());
+        // Nothing is told of the scale of the sheet itself.
+        report.enlarged.unwrap_or(1.0)
+    });
+    assert!((enlarged[1] / enlarged[0] / 5.0 - 1.0).abs() < 1e-6, "{enlarged:?}");
+}
+
+/// A₂′ of a slotted lever is wrong: a₄′ lies beside its right place by as much as that leads to, and not on the other side
+/// of it. Numbers by complex kinematics: from (−90, −30) for (−83.4, −25.6) follows 6 mm along the guide's normal.
+#[test]
+fn the_image_under_a_rider_follows_on_its_own_side() {
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [30, -140] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "4": { "joins": ["O4", "B"], "length": 240 } },
+        "slides": [{ "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "B" } }],
+        "near": { "B": [60, 100] },
+        "input": { "link": 2, "angle": 25, "omega": "12 rad/s ccw", "alpha": "20 rad/s^2 ccw" },
+        "find": ["v(A)", "v(A@4)", "v(B)", "alpha(4)", "a(B)"]
+    });
+    let verdict = |far: f64| {
+        let under = [-51.1 - 0.98929 * far, -2.0 + 0.14585 * far];
+        let answers = json!({
+            "points": {
+                "velocity": { "o": [0, 0], "a2": [-30.4, 65.3], "a4": [-39.2, 5.8], "b": [-56.3, 8.3] },
+                "acceleration": { "o'": [0, 0], "a2'": [-90, -30], "a4'": under }
+            },
+            "scales": { "velocity": "10 mm/s per mm", "acceleration": "100 mm/s^2 per mm" }
+        });
+        let report = graded(&scene, &answers);
+        let own = report.quantities.iter().find(|one| one.name == "acceleration:a4'").unwrap();
+        own.verdict
+    };
+    assert_eq!(verdict(6.0), Verdict::Consistent);
+    assert_eq!(verdict(-6.0), Verdict::Wrong);
+}
+
 /// Four numbers that belong to no motion, and a fifth that was scanned over what it might follow from: before, 22 of 42
 /// such numbers followed rightly.
 #[test]

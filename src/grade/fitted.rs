@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use super::answers::Given;
-use super::case::{Case, size};
+use super::case::{Basis, Case, size};
 use super::change::{Change, InputChange};
 use super::kind::Kind;
 use super::mistakes::Hypothesis;
@@ -86,7 +86,11 @@ pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<H
         return Vec::new();
     }
     let fit = Fit { case, drawn, open, long: longest(case) };
-    Laid::all(&case.mechanism).into_iter().filter_map(|laid| fit.found(laid)).collect()
+    // A slip in the first number that is calculated looks like another speed: who hands that number in has made it there.
+    let calculated = open.first().is_some_and(|&first| case.allowances[first].basis == Basis::Calculated);
+    let all = Laid::all(&case.mechanism).into_iter();
+    let all = all.filter(|laid| !(calculated && matches!(laid, Laid::Speed)));
+    all.filter_map(|laid| fit.found(laid)).collect()
 }
 
 /// The greatest distance of two joints of a link, metres.
