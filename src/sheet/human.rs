@@ -269,11 +269,14 @@ pub fn millimetres(value: f64) -> Rich {
 /// has no sign: which it is would be told by a rounding.
 #[must_use]
 pub fn degrees(radians: f64) -> Rich {
-    /// Nobody states an angle more finely.
-    const STATED: usize = 5;
     let value = radians.to_degrees();
-    let stated: f64 = format!("{value:.STATED$}").parse().unwrap_or(value);
-    let text = if (stated - value).abs() <= 1e-11 { fixed(value, STATED) } else { fixed(value, 1) };
+    let is_stated = |(decimals, room): &(usize, f64)| {
+        let stated: f64 = format!("{value:.decimals$}").parse().unwrap_or(value);
+        (stated - value).abs() <= *room
+    };
+    // Nobody states an angle more finely; what is told from roundings by so many decimals comes by chance with more room.
+    let decimals = [(3, 1e-9), (5, 1e-11)].into_iter().find(is_stated).map_or(1, |(decimals, _)| decimals);
+    let text = fixed(value, decimals);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     let text = if ["−0", "−180"].contains(&text) { &text["−".len()..] } else { text };
     Rich::upright(text).up("°")

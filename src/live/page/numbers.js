@@ -90,7 +90,7 @@ function readOff(mm, factor, result, wished) {
 
 /** An angle in degrees, one decimal at most; one that is stated with up to five has these. @param {number} radians */
 function degrees(radians) {
-  const value = radians * (180 / Math.PI), decimals = Math.abs(Number(value.toFixed(5)) - value) <= 1e-11 ? 5 : 1;
+  const value = radians * (180 / Math.PI), is = (/** @type {number} */ places, /** @type {number} */ room) => Math.abs(Number(value.toFixed(places)) - value) <= room, decimals = is(3, 1e-9) ? 3 : is(5, 1e-11) ? 5 : 1;
   let text = fixed(value, decimals).replace(/\.?0+$/, '');
   if (text === '\u22120' || text === '\u2212180') text = text.slice(1);
   return `${text}°`;
