@@ -481,7 +481,9 @@ mod tests {
         assert_eq!(plain(&degrees(-1e-9)), "0°");
         // An angle that is stated so, however it came to radians.
         assert_eq!(plain(&degrees(-99.55_f64.to_radians())), "−99.55°");
-        assert_eq!(plain(&degrees(-99.552_3_f64.to_radians())), "−99.6°");
+        assert_eq!(plain(&degrees(-99.552_3_f64.to_radians())), "−99.5523°");
+        // One that was calculated.
+        assert_eq!(plain(&degrees(-1.7375)), "−99.6°");
         assert_eq!(plain(&degrees(std::f64::consts::PI)), "180°");
     }
 }
