@@ -473,14 +473,6 @@ struct Report<'s> {
 }
 
 impl Report<'_> {
-    /// A place in the unit of the input. A step from a round number to another is round: what two conversions leave of
-    /// it in the last digits is their rounding.
-    fn stands_at(&self, at: f64) -> f64 {
-        let at = at / self.unit.si;
-        let round = format!("{at:.12e}").parse::<f64>().unwrap_or(at);
-        if (round - at).abs() <= 4.0 * f64::EPSILON * at.abs() { round } else { at }
-    }
-
     fn place(&self, at: f64) -> String {
         // What is left of zero after roots are found is rounding of the range.
         let size = self.sweep.range[0].abs().max(self.sweep.range[1].abs());
@@ -768,7 +760,7 @@ impl Report<'_> {
         }
         writeln!(out)?;
         self.each(places, bounded, |at, values, bounds| {
-            write!(out, "{}", Plain(self.stands_at(at)))?;
+            write!(out, "{}", Plain(at / self.unit.si))?;
             for cell in &cells {
                 match self.told(*cell, values) {
                     Some(value) => write!(out, ",{}", Plain(value))?,
@@ -870,7 +862,7 @@ impl Report<'_> {
         let mut first = true;
         self.each(places, bounded, |at, values, bounds| {
             let numbers: Vec<Option<f64>> = cells.iter().map(|cell| self.told(*cell, values)).collect();
-            let mut row = json!({ "at": self.stands_at(at), "values": numbers });
+            let mut row = json!({ "at": at / self.unit.si, "values": numbers });
             if let Some(bounds) = bounds {
                 let within = cells.iter().map(|cell| self.bound_of(*cell, values, bounds));
                 row["bounds"] = json!(within.collect::<Vec<Option<f64>>>());
