@@ -45,7 +45,7 @@ const ROOMS: f64 = 4.0;
 const ENOUGH_STARTS: usize = 16;
 const ENOUGH_TIMES: usize = 5;
 /// Every third start is as far from the hints as this, in mechanism sizes, the others to one or two thirds beyond.
-const FAREST_START: f64 = 1.5;
+const FARTHEST_START: f64 = 1.5;
 /// Newton's own steps at the end.
 const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
@@ -658,7 +658,7 @@ impl<'a> Assembler<'a> {
                 } else {
                     k += 1;
                     // Near and far by turns.
-                    FAREST_START * (1 + start % 3) as f64 * (spread(k - 1) - 0.5)
+                    FARTHEST_START * (1 + start % 3) as f64 * (spread(k - 1) - 0.5)
                 };
                 pose[3 * body + axis] = base + shift;
             }

@@ -721,20 +721,8 @@ impl Draughtsman<'_> {
             let own_anchor = self.own(link, centre);
             let pose = |anchor| Pose { own_anchor, anchor, own_along, along };
             let tried: Vec<_> = places.iter().map(|&(at, _)| self.hints_of_pose(link, pose(at))).collect();
-            let least = |index: usize| tried[index].0.unwrap_or(f64::INFINITY);
-            let Some(best) = (0..places.len()).min_by(|&a, &b| least(a).total_cmp(&least(b))) else {
-                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
-            };
-            let per_mm = self.scales.length();
-            let rival = (0..places.len()).find(|&other| {
-                other != best && !(tried[best].0.is_some() && chooses(least(best), least(other), per_mm))
-            });
-            if let Some(rival) = rival {
-                let origin = self.origin_of_space().map(|g| g.value);
-                let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
-                let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
-                return Err(DrawError::Ambiguous { pin: centre, first, second });
-            }
+            let misses: Vec<Option<f64>> = tried.iter().map(|(miss, ..)| *miss).collect();
+            let best = self.nearest_to_hints(centre, &places, &misses)?;
             self.chosen(best);
             let (at, crossing) = places[best];
             self.place(centre, at);
@@ -743,6 +731,28 @@ impl Draughtsman<'_> {
         self.ride_along(step, ride, Some(link), centre);
         self.contact(wheel, roll);
         Ok(())
+    }
+
+    /// Which of some places of a wheel's centre its rough places choose, by how far each misses them, in squares.
+    fn nearest_to_hints(
+        &self,
+        centre: PointId,
+        places: &[(Point, f64)],
+        misses: &[Option<f64>],
+    ) -> Result<usize, DrawError> {
+        let least = |index: usize| misses[index].unwrap_or(f64::INFINITY);
+        let Some(best) = (0..places.len()).min_by(|&a, &b| least(a).total_cmp(&least(b))) else {
+            return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
+        };
+        let per_mm = self.scales.length();
+        let rival = (0..places.len()).find(|&other| {
+            other != best && !(misses[best].is_some() && chooses(least(best), least(other), per_mm))
+        });
+        let Some(rival) = rival else { return Ok(best) };
+        let origin = self.origin_of_space().map(|g| g.value);
+        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
+        let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
+        Err(DrawError::Ambiguous { pin: centre, first, second })
     }
 
     /// A wheel's centre where two tracks of it meet: those on which contacts hold it, or a guide.
@@ -783,20 +793,7 @@ impl Draughtsman<'_> {
             }
             let misses: Vec<Option<f64>> =
                 places.iter().map(|(at, _)| self.miss_of_hint(centre, at.value())).collect();
-            let least = |index: usize| misses[index].unwrap_or(f64::INFINITY);
-            let Some(best) = (0..places.len()).min_by(|&a, &b| least(a).total_cmp(&least(b))) else {
-                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
-            };
-            let per_mm = self.scales.length();
-            let rival = (0..places.len()).find(|&other| {
-                other != best && !(misses[best].is_some() && chooses(least(best), least(other), per_mm))
-            });
-            if let Some(rival) = rival {
-                let origin = self.origin_of_space().map(|g| g.value);
-                let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
-                let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
-                return Err(DrawError::Ambiguous { pin: centre, first, second });
-            }
+            let best = self.nearest_to_hints(centre, &places, &misses)?;
             self.chosen(best);
             let (at, crossing) = places[best];
             self.place(centre, at);

@@ -274,7 +274,8 @@ pub fn degrees(radians: f64) -> Rich {
         let stated: f64 = format!("{value:.decimals$}").parse().unwrap_or(value);
         (stated - value).abs() <= *room
     };
-    // Nobody states an angle more finely; what is told from roundings by so many decimals comes by chance with more room.
+    // Nobody states an angle more finely. With five decimals a calculated one is by chance near to a stated one, where it need
+    // not be it to the last bits.
     let decimals = [(3, 1e-9), (5, 1e-11)].into_iter().find(is_stated).map_or(1, |(decimals, _)| decimals);
     let text = fixed(value, decimals);
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -639,10 +639,9 @@ const PASSES: usize = 3;
 /// Where names stand along a course: for each name and frame how far its middle is from its anchor. Each name takes the
 /// sequence of places that costs least over the course, a change of place among the costs; name after name, given the
 /// others. `cyclic` where the last frame comes before the first; `glide`: a name goes no further from frame to frame along
-/// either axis, mm. In the frame `own`, at which a page opens, they stand where they are best, and at rest.
+/// either axis, mm. In the frame `home`, at which a page opens, they stand where they are best, and at rest.
 #[must_use]
-pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, own: usize) -> Vec<Vec<Vec2>> {
-    let home = own;
+pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, home: usize) -> Vec<Vec<Vec2>> {
     let ink: Vec<Obstacles> = frames.iter().map(|frame| Obstacles::of(&frame.ink)).collect();
     let halves: Vec<Vec2> = names.iter().map(Name::half).collect();
     // The ink does not change from pass to pass.
