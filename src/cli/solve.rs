@@ -12,10 +12,10 @@ use crate::double_double::DoubleDouble;
 use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::friction::{Rub, RubbedBy, RubbingPair};
-use crate::mechanism::quantity::{Answer, Asked, Method, Nature, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Measure, Method, Nature, Quantity};
 use crate::plan::Extent;
 use crate::report::{short, significant, two_digits};
-use crate::scene::{Scene, Units};
+use crate::scene::{Scene, SheetOptions};
 use crate::solve::{Hand, Settings};
 
 /// What to solve and how to print it.
@@ -287,7 +287,7 @@ fn object(
     by_hand: &[HandError],
 ) -> Value {
     let mut quantities: Vec<Value> =
-        agreement.compared.iter().map(|compared| quantity(compared, &scene.units)).collect();
+        agreement.compared.iter().map(|compared| quantity(compared, scene)).collect();
     for ((value, compared), error) in quantities.iter_mut().zip(&agreement.compared).zip(by_hand) {
         if let (Some(map), None) = (value.as_object_mut(), compared.indeterminate()) {
             map.insert("hand".to_owned(), hand_object(&compared.asked, error));
@@ -360,8 +360,25 @@ fn friction(rub: &Rub, scene: &Scene, passes: usize) -> Value {
     json!({ "at": at, "between": between, "sense": sense, key: value, "passes": passes })
 }
 
-fn quantity(compared: &Compared, units: &Units) -> Value {
-    let (length, torque) = (units.length.si, units.torque.si);
+/// How long a vector is on paper: at the scale that the scene states for its diagram, otherwise on the drawing board, whose
+/// scales are powers of two.
+fn drawn_mm(compared: &Compared, sheet: &SheetOptions) -> Option<f64> {
+    let drawn = compared.graphical.drawn_mm?;
+    let stated = match compared.asked.quantity.measure() {
+        Measure::Velocity => sheet.velocity_scale,
+        Measure::Acceleration => sheet.acceleration_scale,
+        _ => None,
+    };
+    let size = match compared.graphical.answer {
+        Answer::Scalar { value, .. } => value.abs(),
+        Answer::Vector { value, .. } => libm::hypot(value[0], value[1]),
+        Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return Some(drawn),
+    };
+    Some(stated.map_or(drawn, |scale| size / scale))
+}
+
+fn quantity(compared: &Compared, scene: &Scene) -> Value {
+    let (length, torque) = (scene.units.length.si, scene.units.torque.si);
     let asked = &compared.asked;
     let mut map = Map::new();
     map.insert("name".to_owned(), json!(asked.name));
@@ -400,7 +417,7 @@ fn quantity(compared: &Compared, units: &Units) -> Value {
         let factor = if matches!(compared.analytic, Answer::AtInfinity { .. }) { 1.0 } else { asked.unit.si };
         map.insert("difference".to_owned(), json!(difference.value / factor));
     }
-    if let Some(mm) = compared.graphical.drawn_mm {
+    if let Some(mm) = drawn_mm(compared, &scene.sheet) {
         map.insert("drawn_mm".to_owned(), json!(mm));
     }
     if let Some(place) = compared.graphical.through {

@@ -1,7 +1,7 @@
 //! From the board to the page: the board draws at scales that are powers of two, so that no digit depends on them; the
 //! page shows the same figures at round ones. Between the two lies a similarity for each diagram.
 
-use crate::mechanism::quantity::{Asked, Dimension};
+use crate::mechanism::quantity::{Asked, Dimension, Measure};
 
 use super::Scales;
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, InflectionBy, StrokeShape};
@@ -49,7 +49,12 @@ impl Construction {
             }
         }
         for (reading, asked) in self.answers.iter_mut().zip(asked) {
-            reading.drawn_mm = reading.drawn_mm.map(|mm| mm * by.of(asked.quantity.order().dimension()));
+            // A normal part follows from velocities, and is drawn among the accelerations.
+            let dimension = match asked.quantity.measure() {
+                Measure::Acceleration => Dimension::Acceleration,
+                _ => asked.quantity.order().dimension(),
+            };
+            reading.drawn_mm = reading.drawn_mm.map(|mm| mm * by.of(dimension));
         }
     }
 }

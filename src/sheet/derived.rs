@@ -1,6 +1,6 @@
 //! The last step: what is asked besides the motion of points and links, from what the drawing has told of these.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use super::given::only_translates;
 use super::human;
@@ -9,20 +9,21 @@ use super::printed::{Figures, Key, absolute};
 use super::rich::Rich;
 use crate::graphical::construction::{Act, Calculation, Construction, Diagram, Label, Reading};
 use crate::graphical::is_a_point;
-use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Method, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, DiagramKind, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, Mechanism, Path, PointId, Rider, Slide};
 
 const EQUALS: &str = "\u{a0}= ";
 const OVER: &str = "\u{a0}/\u{a0}";
 
-/// The sentences of the step; none where everything asked was told before.
+/// The sentences of the step, none where everything asked was told before; and whether they do nothing but tell in other units
+/// what was told.
 #[must_use]
 pub fn sentences(
     construction: &Construction,
     notation: &Notation<'_>,
     figures: &RefCell<Figures>,
-) -> Vec<Rich> {
-    let teller = Teller { construction, n: notation, figures };
+) -> (Vec<Rich>, bool) {
+    let teller = Teller { construction, n: notation, figures, conversions: Cell::new(0) };
     let asked = notation.mechanism().asked.iter().zip(&construction.answers);
     let own = asked
         .filter(|(asked, _)| asked.method == Method::Polygon && super::results::is_result(asked, notation));
@@ -34,13 +35,16 @@ pub fn sentences(
         all.push(Rich::fill(notation.words.measured_arms, &[("list", list)]));
     }
     all.extend(own.flat_map(|(asked, reading)| teller.computed(asked, reading)));
-    all
+    let only_units = teller.conversions.get() == all.len();
+    (all, only_units)
 }
 
 struct Teller<'a> {
     construction: &'a Construction,
     n: &'a Notation<'a>,
     figures: &'a RefCell<Figures>,
+    /// How many sentences tell in another unit what was told.
+    conversions: Cell<usize>,
 }
 
 /// The link that a link slides on without turning against it, and the other way round.
@@ -146,6 +150,22 @@ fn ends_of(quantity: Quantity, polygon: &Diagram) -> Option<[Label; 2]> {
     }
 }
 
+/// A rate in another unit of angle or time, as a person reckons it.
+fn turned(number: &Rich, ratio: f64) -> Rich {
+    use std::f64::consts::{PI, TAU};
+    let is = |other: f64| (ratio / other - 1.0).abs() < 1e-9;
+    let times = |text: Rich| number.clone().up("\u{a0}×\u{a0}").then(&text);
+    if is(60.0 / TAU) {
+        times(Rich::upright("60\u{a0}/\u{a0}2π"))
+    } else if is(180.0 / PI) {
+        times(Rich::upright("180\u{a0}/\u{a0}π"))
+    } else if is(1.0 / TAU) {
+        number.clone().up("\u{a0}/\u{a0}2π")
+    } else {
+        times(human::stated(ratio))
+    }
+}
+
 impl Teller<'_> {
     /// What is measured on the skeleton.
     fn measured(&self, asked: &Asked, reading: &Reading) -> Option<Rich> {
@@ -195,15 +215,19 @@ impl Teller<'_> {
         };
         let velocity = |l: LinkId| (Quantity::Omega(l), self.omega(l, Order::Velocity));
         let acceleration = |l: LinkId| (Quantity::Alpha(l), self.omega(l, Order::Acceleration));
+        let in_asked_unit = || self.in_asked_unit(asked, value, &self.n.angular_unit(asked.quantity.order()));
         match asked.quantity {
             Quantity::Omega(link) | Quantity::Alpha(link) => {
-                self.rate(asked, value, link).into_iter().collect()
+                let told = self.rate(asked, value, link);
+                told.into_iter().chain(in_asked_unit()).collect()
             }
             Quantity::RelativeOmega(i, j) => {
-                self.difference(asked, value, [velocity(i), velocity(j)]).into_iter().collect()
+                let told = self.difference(asked, value, [velocity(i), velocity(j)]);
+                told.into_iter().chain(in_asked_unit()).collect()
             }
             Quantity::RelativeAlpha(i, j) => {
-                self.difference(asked, value, [acceleration(i), acceleration(j)]).into_iter().collect()
+                let told = self.difference(asked, value, [acceleration(i), acceleration(j)]);
+                told.into_iter().chain(in_asked_unit()).collect()
             }
             Quantity::Ratio(i, j) => self.ratio(asked, value, [i, j]).into_iter().collect(),
             Quantity::Advantage(i, j) => self.ratio(asked, value, [j, i]).into_iter().collect(),
@@ -225,8 +249,7 @@ impl Teller<'_> {
                 if order == Order::Acceleration { Quantity::Alpha(link) } else { Quantity::Omega(link) };
             self.figures.borrow().has(Key::of(quantity, n))
         };
-        // In another unit it is another number.
-        if has(link) || only_translates(link, n.mechanism(), 0) || asked.unit != n.angular_unit(order) {
+        if has(link) || only_translates(link, n.mechanism(), 0) {
             return None;
         }
         let turning = |other: &LinkId| self.omega(*other, order).is_some_and(|value| value != 0.0);
@@ -307,15 +330,36 @@ impl Teller<'_> {
             let told = (&mut *self.figures.borrow_mut(), key);
             all.push(super::steps::read(symbol.clone(), ends, on_paper, size, polygon, n, told));
         }
-        if asked.unit != unit && self.figures.borrow().has(key) {
-            let own = human::with_unit(&self.figures.borrow_mut().tell(key, size, &unit), &unit.symbol);
-            // What stands there by the other unit, as the table has it.
-            let told = self.figures.borrow().told(key, size).unwrap_or(size);
-            let other = human::number_told(told / asked.unit.si, size / asked.unit.si);
-            let other = human::with_unit(&other, &asked.unit.symbol);
-            all.push(symbol.up(EQUALS).then(&own).up(EQUALS).then(&other));
-        }
+        all.extend(self.in_asked_unit(asked, size, &unit));
         all
+    }
+
+    /// A size that was told in the unit of the drawing, in the one in which it is asked for: ω₃ = 5.47 × 60 / 2π = 52.2 rpm.
+    fn in_asked_unit(&self, asked: &Asked, size: f64, unit: &Unit) -> Option<Rich> {
+        let n = self.n;
+        let key = Key::of(asked.quantity, n);
+        if asked.unit == *unit || !self.figures.borrow().has(key) {
+            return None;
+        }
+        self.conversions.set(self.conversions.get() + 1);
+        let ratio = unit.si / asked.unit.si;
+        let (numbers, result, _) = self.figures.borrow_mut().line_of(
+            &[(Some(key), size, unit)],
+            (None, size.abs(), &asked.unit),
+            |x| x[0] * ratio,
+        );
+        let told = human::with_unit(&result, &asked.unit.symbol);
+        let line = n.symbol(asked.quantity, false).up(EQUALS);
+        Some(match asked.quantity {
+            Quantity::Omega(_) | Quantity::Alpha(_) => {
+                line.then(&turned(&numbers[0], ratio)).up(EQUALS).then(&n.with_sense(told, size))
+            }
+            Quantity::RelativeOmega(..) | Quantity::RelativeAlpha(..) => {
+                let minus = if size < 0.0 { "−" } else { "" };
+                line.up(minus).then(&turned(&numbers[0], ratio)).up(EQUALS).up(minus).then(&told)
+            }
+            _ => line.then(&human::with_unit(&numbers[0], &unit.symbol)).up(EQUALS).then(&told),
+        })
     }
 
     /// ω₃₂ = ω₃ − ω₂, counter-clockwise positive.
@@ -328,9 +372,6 @@ impl Teller<'_> {
         let n = self.n;
         let (a, b) = (a?, b?);
         let unit = n.angular_unit(asked.quantity.order());
-        if asked.unit != unit {
-            return None;
-        }
         let of = |quantity: Quantity, value: f64| (Some(Key::of(quantity, n)), value, &unit);
         let (numbers, result, _) = self.figures.borrow_mut().line_of(
             &[of(first, a), of(second, b)],

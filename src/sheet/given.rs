@@ -6,13 +6,14 @@ use super::cycle::of_curve;
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
+use super::words::Words;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
     Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Share, Size, Spring, SpringKind,
     SpringLaw,
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
-use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Dimension, Measure, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
     Direction, Form, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId,
@@ -195,6 +196,31 @@ fn moves(input: &Input) -> bool {
     rates.iter().any(|rate| *rate != 0.0)
 }
 
+/// The unit in which a rate is asked for, where it is another than that in which it is found.
+fn own_unit(asked: &Asked, notation: &Notation<'_>) -> Option<String> {
+    let found = match asked.quantity.measure() {
+        Measure::Velocity => notation.unit(Dimension::Velocity),
+        Measure::Acceleration => notation.unit(Dimension::Acceleration),
+        Measure::AngularVelocity => notation.angular_unit(Order::Velocity),
+        Measure::AngularAcceleration => notation.angular_unit(Order::Acceleration),
+        _ => return None,
+    };
+    (asked.unit != found).then(|| asked.unit.symbol.clone())
+}
+
+/// On which side of a place a line of this angle lies that is shifted to its left: above or below it, beside it where the line
+/// is upright.
+pub(super) fn side_of(along: f64, offset: f64, words: &Words) -> &'static str {
+    let (sin, cos) = libm::sincos(along);
+    let [above, below, left, right] = words.sides;
+    match cos.abs() < ROUNDED {
+        true if sin * offset > 0.0 => left,
+        true => right,
+        false if cos * offset > 0.0 => above,
+        false => below,
+    }
+}
+
 /// Pascals are small: kPa or MPa in their place.
 pub(super) fn handy(unit: &Unit, si: f64) -> Unit {
     let larger = [("MPa", 1e6), ("kPa", 1e3)].into_iter().find(|(_, own)| si.abs() >= 0.1 * own);
@@ -369,6 +395,20 @@ impl Teller<'_> {
             Path::Straight { through, direction, turned, offset } => (through, direction, turned, offset),
         };
         let place = place_of(through, self.n);
+        if let (Direction::Angle(angle), false, true) = (direction, moving, offset.value != 0.0) {
+            let own = angle.value + turned.value;
+            let named =
+                self.n.lie(index).is_some() && (!self.drives(index) || self.led_from(index).is_some());
+            let parts = [
+                ("guide", if named { self.n.named_guide(index) } else { self.n.guide(index) }),
+                ("angle", human::degrees(own)),
+                ("value", self.length(offset.value.abs())),
+                ("side", Rich::upright(side_of(own, offset.value, words))),
+                ("place", place),
+            ];
+            let template = if named { words.given_guide_beside } else { words.given_guide_aside };
+            return Some(Rich::fill(template, &parts));
+        }
         let told = match direction {
             // A rider that drives has a sense along its guide, which the angle tells.
             Direction::Angle(_)
@@ -1103,7 +1143,7 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         _ => 4,
     };
     // A quantity that is asked by several methods is one quantity.
-    let mut lists: [Vec<(Quantity, Vec<&str>)>; 14] = Default::default();
+    let mut lists: [Vec<(&Asked, Vec<&str>)>; 14] = Default::default();
     let all = &notation.mechanism().asked;
     let open: Vec<&Asked> = all.iter().filter(|asked| !is_stated(asked.quantity, notation)).collect();
     // Where nothing else is asked, that is the question.
@@ -1117,21 +1157,29 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         }
         let list = &mut lists[kind(asked.quantity)];
         let method = notation.method(asked.method);
-        match list.iter_mut().find(|(quantity, _)| *quantity == asked.quantity) {
+        match list.iter_mut().find(|(first, _)| first.quantity == asked.quantity) {
             Some((_, methods)) => methods.extend(method),
-            None => list.push((asked.quantity, method.into_iter().collect())),
+            None => list.push((asked, method.into_iter().collect())),
         }
     }
-    let name = |(quantity, methods): &(Quantity, Vec<&str>)| {
-        let symbol = notation.symbol(*quantity, false);
-        let symbol = match quantity {
+    let name = |(asked, methods): &(&Asked, Vec<&str>)| {
+        let symbol = notation.symbol(asked.quantity, false);
+        let symbol = match own_unit(asked, notation) {
+            Some(unit) => symbol.up("\u{a0}(").up(&human::pretty(&unit)).up(")"),
+            None => symbol,
+        };
+        let symbol = match asked.quantity {
             Quantity::Force(_, Share::Rising) => symbol.up("\u{a0}(").up(words.governor_up).up(")"),
             Quantity::Force(_, Share::Falling) => symbol.up("\u{a0}(").up(words.governor_down).up(")"),
             _ => symbol,
         };
         match methods.as_slice() {
             [] => symbol,
-            methods => symbol.up(&format!("\u{a0}({})", methods.join(words.comma))),
+            methods => {
+                let methods = Rich::upright(&methods.join(words.comma));
+                let by = Rich::fill(words.by_method, &[("methods", methods)]);
+                symbol.up("\u{a0}(").then(&by).up(")")
+            }
         }
     };
     let told = kinds.into_iter().zip(lists).filter(|(_, list)| !list.is_empty());

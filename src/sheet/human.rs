@@ -121,8 +121,8 @@ pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich
         mm if mm < DECIMETRE => 2,
         _ => 1,
     };
-    // Nobody reads five figures.
-    let more = more.min(READ_FIGURES.saturating_sub(usual_figures(result)));
+    // A fifth figure is a guard, for what follows from the reading: nobody reads more.
+    let more = more.min(MOST_FIGURES.saturating_sub(usual_figures(result)));
     let to = |decimals: usize| -> f64 { format!("{mm:.decimals$}").parse().unwrap_or(mm) };
     let beside = |decimals: usize| {
         let place = libm::exp10(-(decimals as f64));

@@ -71,7 +71,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
 /// line needs where it is first told: it is told again until every line has what it needs. With the figures in which it is.
 pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> (T, Figures) {
     /// What needs figures for what needs figures, and so on: further back the steps do not look.
-    const ROUNDS: usize = 6;
+    const ROUNDS: usize = 12;
     let mut next = RefCell::new(Figures::default());
     let mut told = tell(&next);
     for _ in 0..ROUNDS {
@@ -162,10 +162,11 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             all.push(own);
         }
     }
-    let derived = super::derived::sentences(construction, notation, figures);
+    let (derived, only_units) = super::derived::sentences(construction, notation, figures);
     if !derived.is_empty() {
         let head = Rich::bold(format!("{}.", notation.count(all.len() + 1))).up("\u{a0}\u{a0}");
-        let head = head.then(&Rich::bold(notation.words.step_derived));
+        let words = notation.words;
+        let head = head.then(&Rich::bold(if only_units { words.step_units } else { words.step_derived }));
         let items = [Item::Head(head)].into_iter().chain(derived.into_iter().map(Item::Sentence));
         let items: Vec<Item> = items.collect();
         let step = construction.steps.len().saturating_sub(1);
@@ -381,7 +382,7 @@ pub fn read(
     }
     let factor = polygon.si_per_mm / unit.si;
     let more = figures.more_of_reading(key, polygon.kind, mm);
-    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, more.min(1));
+    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, more);
     figures.note(key, &amount, (written, value / unit.si), &unit);
     let reading = reading
         .up("\u{a0}×\u{a0}")
@@ -907,7 +908,7 @@ impl Teller<'_> {
             Act::MeasureLength { from, to, mm, value } => {
                 let (mut figures, key) = (self.figures.borrow_mut(), Key::length([*from, *to]));
                 let (factor, exact) = (per_mm / length_unit.si, value / length_unit.si);
-                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key).min(1));
+                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key));
                 figures.note(key, &value, (written, exact), length_unit);
                 let value = human::with_unit(&value, &length_unit.symbol);
                 measured_length(n.length(*from, *to), [mm, value], per_mm, n)
@@ -1225,22 +1226,52 @@ impl Teller<'_> {
             return arc;
         }
         let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link == LinkId::FRAME);
-        match slide.map(|slide| slide.guide.path) {
-            Some(Path::Straight { through, direction, turned, offset }) if offset.value == 0.0 => {
-                let place = ("place", super::given::place_of(through, n));
-                match (direction, through) {
-                    _ if n.lie(index).is_some() => Rich::fill(words.draw_guide_through, &[guide(), place]),
-                    (Direction::Angle(angle), _) => {
-                        let angle = ("angle", human::degrees(angle.value + turned.value));
-                        Rich::fill(words.draw_guide_at, &[guide(), place, angle])
-                    }
-                    (Direction::Toward(target), GuidePoint::Point(from)) if turned.value == 0.0 => {
-                        Rich::fill(words.draw_guide_along, &[guide(), ("line", n.length(from, target))])
-                    }
-                    (Direction::Toward(_), _) => Rich::fill(words.draw_guide, &[guide()]),
-                }
+        let Some(Path::Straight { through, direction, turned, offset }) = slide.map(|slide| slide.guide.path)
+        else {
+            return Rich::fill(words.draw_guide, &[guide()]);
+        };
+        let place = ("place", super::given::place_of(through, n));
+        let own = match direction {
+            Direction::Angle(angle) => angle.value + turned.value,
+            Direction::Toward(target) => {
+                let from = match through {
+                    GuidePoint::Point(from) => self.at(from),
+                    GuidePoint::Own(_) => None,
+                };
+                let Some((from, to)) = from.zip(self.at(target)) else {
+                    return Rich::fill(words.draw_guide, &[guide()]);
+                };
+                libm::atan2(to[1] - from[1], to[0] - from[0]) + turned.value
             }
-            _ => Rich::fill(words.draw_guide, &[guide()]),
+        };
+        let angle = ("angle", human::degrees(own));
+        let line = match (direction, through) {
+            (Direction::Toward(target), GuidePoint::Point(from)) if turned.value == 0.0 => {
+                Some(("line", n.length(from, target)))
+            }
+            _ => None,
+        };
+        let named = n.lie(index).is_some();
+        if offset.value == 0.0 {
+            return match line {
+                _ if named => Rich::fill(words.draw_guide_through, &[guide(), place]),
+                Some(line) => Rich::fill(words.draw_guide_along, &[guide(), line]),
+                None => Rich::fill(words.draw_guide_at, &[guide(), place, angle]),
+            };
+        }
+        let aside = offset.value.abs();
+        let parts = [
+            guide(),
+            place,
+            angle,
+            ("side", Rich::upright(super::given::side_of(own, offset.value, words))),
+            ("value", super::given::stated_with_unit(aside, n)),
+            ("mm", human::millimetres(aside / self.construction.space.metres_per_mm)),
+        ];
+        match line {
+            _ if named => Rich::fill(words.draw_guide_beside, &parts),
+            Some(line) => Rich::fill(words.draw_guide_parallel, &[&parts[..], &[line]].concat()),
+            None => Rich::fill(words.draw_guide_aside, &parts),
         }
     }
 

@@ -1064,3 +1064,23 @@ fn a_force_that_is_zero_but_for_rounding_has_no_line_and_the_sleeve_has_the_load
     assert!(ink.x0 >= 0.0 && ink.y0 >= 0.0 && ink.x1 <= figure.width && ink.y1 <= figure.height, "{ink:?}");
     assert!(figure.height < 2.1 * 297.0, "{}", figure.height);
 }
+
+/// What is asked for in another unit than the drawing's has the line that leads to it.
+#[test]
+fn a_rate_in_another_unit_has_its_line() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 120 } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } }], "near": { "B": [130, 0] },
+        "input": { "link": 2, "angle": 60, "omega": "300 rpm ccw" },
+        "find": [{ "name": "omega(3)", "unit": "rpm" }, { "name": "omega(3/2)", "unit": "deg/s" }] }"#;
+    let (scene, construction) = solved_text(text).unwrap();
+    let sheet = lines(&solution(&scene, &construction, Language::English));
+    let omega = 10.0 * std::f64::consts::PI;
+    let height = 40.0 * 60_f64.to_radians().sin();
+    let rod = omega * 20.0 / (120.0 * 120.0 - height * height).sqrt();
+    let asked = format!("ω3 = {rod:.2} × 60 / 2π = {:.1} rpm cw", rod * 30.0 / std::f64::consts::PI);
+    let relative = format!("× 180 / π = −{:.0} °/s", (rod + omega).to_degrees());
+    assert!(says(&sheet, &asked), "{asked}: {sheet:#?}");
+    assert!(sheet.iter().any(|line| line.starts_with("ω32 = −")), "{sheet:#?}");
+    assert!(sheet.join(" ").contains(&relative), "{relative}: {sheet:#?}");
+}

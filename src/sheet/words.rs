@@ -98,6 +98,11 @@ pub struct Words {
     pub given_guide: &'static str,
     /// Of a level or an upright guide, which its name tells already.
     pub given_guide_through: &'static str,
+    /// The same, and of any other one, that lies aside: `{value}`, `{side}` (one of `sides`), `{place}`.
+    pub given_guide_beside: &'static str,
+    pub given_guide_aside: &'static str,
+    /// Above, below, to the left of, to the right of a place.
+    pub sides: [&'static str; 4],
     pub given_guide_line: &'static str,
     pub given_guide_moving: &'static str,
     /// The guide of a link that is nothing else: `{guide}`, `{link}`, `{place}`.
@@ -125,6 +130,8 @@ pub struct Words {
     /// After a rate that does not change.
     pub given_constant: &'static str,
     pub dimensions_in: &'static str,
+    /// The word for the unit `in` there.
+    pub inches: &'static str,
     pub other_positions: &'static str,
     pub other_assembly: &'static str,
     /// A crowded spot drawn larger: `{ratio}`, and where there are several `{name}`.
@@ -197,6 +204,8 @@ pub struct Words {
     pub step_acceleration: &'static str,
     pub step_rubbing: &'static str,
     pub step_derived: &'static str,
+    /// The same where nothing is left but to tell results in the units that are asked for.
+    pub step_units: &'static str,
 
     // Acts.
     pub mark_places: Counted,
@@ -215,6 +224,9 @@ pub struct Words {
     pub draw_guide_through: &'static str,
     pub draw_guide_at: &'static str,
     pub draw_guide_along: &'static str,
+    pub draw_guide_beside: &'static str,
+    pub draw_guide_aside: &'static str,
+    pub draw_guide_parallel: &'static str,
     pub arc_is_guide: &'static str,
     pub tangent_guide: &'static str,
     pub beside_guide: &'static str,
@@ -287,6 +299,8 @@ pub struct Words {
 
     // Velocities from centres.
     pub transfer_figure: &'static str,
+    /// What is asked by a method: `{methods}`.
+    pub by_method: &'static str,
     pub method_centres: &'static str,
     pub method_line_of_centres: &'static str,
     pub method_link_to_link: &'static str,
@@ -518,6 +532,9 @@ const ENGLISH: Words = Words {
     given: "Given:",
     given_guide: "{guide} through {place} at {angle}",
     given_guide_through: "{guide} through {place}",
+    given_guide_beside: "{guide}, {value} {side} {place}",
+    given_guide_aside: "{guide} at {angle}, {value} {side} {place}",
+    sides: ["above", "below", "to the left of", "to the right of"],
     given_guide_line: "{guide} along {line} of link {link}",
     given_guide_moving: "{guide} on link {link} through its {place} at {angle}",
     given_slot_through: "{guide} on link {link} through {place}",
@@ -543,6 +560,7 @@ const ENGLISH: Words = Words {
     given_scales: "scales {list}",
     given_constant: "constant",
     dimensions_in: "dimensions in {unit}",
+    inches: "inches",
     other_positions: "dashed: {list}",
     other_assembly: "dashed, letters in parentheses: the other assembly",
     detail: "Detail, {ratio}",
@@ -609,6 +627,7 @@ const ENGLISH: Words = Words {
     step_acceleration: "Acceleration of {links}",
     step_rubbing: "Rubbing speeds",
     step_derived: "What else is asked",
+    step_units: "Results in the units asked for",
 
     mark_places: [
         "Mark {points} to the scale {scale}.",
@@ -630,6 +649,9 @@ const ENGLISH: Words = Words {
     draw_guide_through: "Draw the {guide} through {place}.",
     draw_guide_at: "Draw the {guide} through {place} at {angle} to the horizontal.",
     draw_guide_along: "Draw the {guide} along {line}.",
+    draw_guide_beside: "Draw the {guide}, {value} ({mm}) {side} {place}.",
+    draw_guide_aside: "Draw the {guide} at {angle} to the horizontal, {value} ({mm}) {side} {place}, measured square to it.",
+    draw_guide_parallel: "Draw the {guide} parallel to {line}, {value} ({mm}) {side} it.",
     arc_is_guide: "It is the {guide}.",
     tangent_guide: "About {centre} strike a circle with the radius {value} ({mm}). The tangent to it through {point} is the {guide}.",
     beside_guide: "Draw the parallel to it at the distance {value} ({mm}): {point} lies on it.",
@@ -688,13 +710,14 @@ const ENGLISH: Words = Words {
     centre_stalled: "{centre}: no two triangles lead to it.",
 
     transfer_figure: "Velocities from instant centres",
-    method_centres: "centres",
+    by_method: "by {methods}",
+    method_centres: "instant centres",
     method_line_of_centres: "line of centres",
     method_link_to_link: "link to link",
     method_gauge_line: "gauge line",
-    method_klein: "Klein",
+    method_klein: "Klein’s construction",
     method_two_masses: "two masses",
-    method_lever: "lever",
+    method_lever: "Zhukovsky’s lever",
     method_three_force: "three forces",
     method_components: "components",
     by_direct_method: "{quantity} by the direct method",
@@ -924,6 +947,9 @@ const ARABIC: Words = Words {
     given: "المعطيات:",
     given_guide: "{guide} يمر من {place} بزاوية {angle}",
     given_guide_through: "{guide} يمر من {place}",
+    given_guide_beside: "{guide} على بعد {value} {side} {place}",
+    given_guide_aside: "{guide} بزاوية {angle} على بعد {value} {side} {place}",
+    sides: ["فوق", "تحت", "إلى يسار", "إلى يمين"],
     given_guide_line: "{guide} على امتداد {line} من الوصلة {link}",
     given_guide_moving: "{guide} على الوصلة {link} يمر من نقطتها {place} بزاوية {angle}",
     given_slot_through: "{guide} على الوصلة {link} يمر بالنقطة {place}",
@@ -949,6 +975,7 @@ const ARABIC: Words = Words {
     given_scales: "مقاييس الرسم {list}",
     given_constant: "ثابتة",
     dimensions_in: "الأبعاد بوحدة {unit}",
+    inches: "البوصة",
     other_positions: "بالخط المتقطع: {list}",
     other_assembly: "بالخط المتقطع والأحرف بين قوسين: التجميع الآخر",
     detail: "تفصيل بمقياس {ratio}",
@@ -1015,6 +1042,7 @@ const ARABIC: Words = Words {
     step_acceleration: "تسارع {links}",
     step_rubbing: "سرعات التحاك",
     step_derived: "بقية المطلوب",
+    step_units: "النتائج بالوحدات المطلوبة",
 
     mark_places: [
         "نعيّن النقطة {points} بمقياس الرسم {scale}.",
@@ -1036,6 +1064,9 @@ const ARABIC: Words = Words {
     draw_guide_through: "نرسم {guide} مارا من {place}.",
     draw_guide_at: "نرسم {guide} مارا من {place} بزاوية {angle} مع الأفق.",
     draw_guide_along: "نرسم {guide} على امتداد {line}.",
+    draw_guide_beside: "نرسم {guide} على بعد {value} ({mm}) {side} {place}.",
+    draw_guide_aside: "نرسم {guide} بزاوية {angle} مع الأفق، على بعد عمودي {value} ({mm}) {side} {place}.",
+    draw_guide_parallel: "نرسم {guide} موازيا {line} على بعد {value} ({mm}) {side} {line}.",
     arc_is_guide: "وهو {guide}.",
     tangent_guide: "من المركز {centre} نرسم دائرة نصف قطرها {value} ({mm})، ومماسها من {point} هو {guide}.",
     beside_guide: "نرسم الموازي له على بعد {value} ({mm}) وتقع عليه {point}.",
@@ -1095,6 +1126,7 @@ const ARABIC: Words = Words {
     centre_at_rest: "المركز {centre}: يتوقف مخطط الدائرة هنا والآلية ساكنة. بفرض حركة للدخل يقع المركز على الناظم على {velocity} المار من {point} وعلى بعد {velocity} / {omega}.",
     centre_stalled: "المركز {centre}: لا يؤدي إليه أي مثلثين.",
     transfer_figure: "السرعات من المراكز اللحظية",
+    by_method: "بطريقة {methods}",
     method_centres: "المراكز",
     method_line_of_centres: "خط المراكز",
     method_link_to_link: "من وصلة إلى وصلة",
@@ -1381,6 +1413,9 @@ const PERSIAN: Words = Words {
     given: "داده‌ها:",
     given_guide: "{guide} از {place} با زاویهٔ {angle}",
     given_guide_through: "{guide} از {place}",
+    given_guide_beside: "{guide} در فاصلهٔ {value} {side} {place}",
+    given_guide_aside: "{guide} با زاویهٔ {angle} در فاصلهٔ {value} {side} {place}",
+    sides: ["بالای", "پایین", "سمت چپ", "سمت راست"],
     given_guide_line: "{guide} در امتداد {line} از بند {link}",
     given_guide_moving: "{guide} روی بند {link} از نقطهٔ {place} آن با زاویهٔ {angle}",
     given_slot_through: "{guide} روی بند {link} که از {place} می‌گذرد",
@@ -1406,6 +1441,7 @@ const PERSIAN: Words = Words {
     given_scales: "مقیاس‌های {list}",
     given_constant: "ثابت",
     dimensions_in: "ابعاد بر حسب {unit}",
+    inches: "اینچ",
     other_positions: "خط‌چین: {list}",
     other_assembly: "خط‌چین با حروف درون پرانتز: حالت مونتاژ دیگر",
     detail: "جزئیات، {ratio}",
@@ -1472,6 +1508,7 @@ const PERSIAN: Words = Words {
     step_acceleration: "شتاب {links}",
     step_rubbing: "سرعت‌های مالش",
     step_derived: "دیگر خواسته‌ها",
+    step_units: "نتایج در یکاهای خواسته‌شده",
 
     mark_places: [
         "نقطهٔ {points} را با مقیاس {scale} مشخص می‌کنیم.",
@@ -1493,6 +1530,9 @@ const PERSIAN: Words = Words {
     draw_guide_through: "{guide} را از {place} رسم می‌کنیم.",
     draw_guide_at: "{guide} را از {place} با زاویهٔ {angle} نسبت به افق رسم می‌کنیم.",
     draw_guide_along: "{guide} را در امتداد {line} رسم می‌کنیم.",
+    draw_guide_beside: "{guide} را در فاصلهٔ {value} ({mm}) {side} {place} رسم می‌کنیم.",
+    draw_guide_aside: "{guide} را با زاویهٔ {angle} نسبت به افق در فاصلهٔ عمودی {value} ({mm}) {side} {place} رسم می‌کنیم.",
+    draw_guide_parallel: "{guide} را موازی {line} در فاصلهٔ {value} ({mm}) {side} آن رسم می‌کنیم.",
     arc_is_guide: "این کمان {guide} است.",
     tangent_guide: "به مرکز {centre} دایره‌ای به شعاع {value} ({mm}) می‌زنیم؛ مماس بر آن از {point} همان {guide} است.",
     beside_guide: "موازی آن را به فاصلهٔ {value} ({mm}) رسم می‌کنیم: {point} روی آن است.",
@@ -1552,6 +1592,7 @@ const PERSIAN: Words = Words {
     centre_at_rest: "مرکز {centre}: نمودار دایره‌ای اینجا متوقف می‌شود و مکانیزم ساکن است. با فرض حرکت ورودی، مرکز روی عمود بر {velocity} در {point} و به فاصلهٔ {velocity} / {omega} است.",
     centre_stalled: "مرکز {centre}: هیچ دو مثلثی به آن نمی‌رسد.",
     transfer_figure: "سرعت‌ها از مراکز آنی",
+    by_method: "به روش {methods}",
     method_centres: "مراکز آنی",
     method_line_of_centres: "خط مراکز",
     method_link_to_link: "بند به بند",
