@@ -1124,13 +1124,30 @@ pub struct Step {
     pub acts: Vec<Act>,
 }
 
-/// A vector equation: one vector by two routes.
+/// A vector equation: one vector by two routes, or by one of which all is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equation {
+    /// The step's act with which its drawing begins: it is told before what is drawn there.
+    pub begins: usize,
+    /// The vector itself, where neither route begins at the pole.
+    pub whole: Option<Term>,
     /// Left-hand side: parts of the vector by the first route.
     pub left: Vec<Term>,
-    /// Right-hand side: the same vector by the second route.
+    /// Right-hand side: the same vector by the second route; empty where the whole is by one route.
     pub right: Vec<Term>,
+}
+
+impl Equation {
+    /// All its terms, in the order in which they are written.
+    pub fn terms(&self) -> impl Iterator<Item = &Term> {
+        self.whole.iter().chain(&self.left).chain(&self.right)
+    }
+
+    /// Whether its drawing finds anything of its parts.
+    #[must_use]
+    pub fn has_unknowns(&self) -> bool {
+        self.left.iter().chain(&self.right).any(|term| term.magnitude.is_none() || term.direction.is_none())
+    }
 }
 
 /// One term of a vector equation, as the table of terms shows it.

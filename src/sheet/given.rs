@@ -13,10 +13,10 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
-use crate::mechanism::statement::{Locus, Standing};
+use crate::mechanism::statement::{Locus, Standing, Statement};
 use crate::mechanism::{
-    Direction, Form, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId,
-    Rider, Roll, Sense, Slide,
+    Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place,
+    PointId, Rider, Roll, Sense, Slide,
 };
 
 /// A dimension of a link: the distance of two of its points, as stated.
@@ -28,6 +28,40 @@ pub struct StatedLength {
     pub to: PointId,
     /// Metres.
     pub length: f64,
+}
+
+impl StatedLength {
+    /// Whether it is the distance of these points.
+    #[must_use]
+    pub fn is_between(&self, ends: [PointId; 2]) -> bool {
+        [[self.from, self.to], [self.to, self.from]].contains(&ends)
+    }
+}
+
+/// The distances by which a figure states places.
+pub(super) fn stated_distances(notation: &Notation<'_>) -> impl Iterator<Item = StatedLength> {
+    let mechanism = notation.mechanism();
+    let loci = |statement: &'_ Statement| statement.loci.map(|locus| (statement.point, locus));
+    let by_figure = mechanism.statements.iter().flat_map(loci).filter_map(|(to, locus)| match locus {
+        Locus::Circle { centre, radius } => Some(StatedLength { from: centre, to, length: radius.value }),
+        _ => None,
+    });
+    // How far a driven rider is from the point from which its places are counted.
+    let driven = mechanism.inputs.iter().filter_map(|input| {
+        let Input::Slide { slide, at: Some(at), .. } = input else { return None };
+        let slide = mechanism.slides.get(*slide)?;
+        let to = match slide.rider {
+            Rider::Pin { point, .. } => point,
+            Rider::Link { link, .. } => mechanism.link(link).points.first().copied()?,
+        };
+        match slide.guide.path {
+            Path::Straight { through: GuidePoint::Point(from), offset, .. } if offset.value == 0.0 => {
+                Some(StatedLength { from, to, length: at.value.abs() })
+            }
+            _ => None,
+        }
+    });
+    by_figure.chain(driven)
 }
 
 /// The stated dimensions of a link.
@@ -97,7 +131,7 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
         parts.extend(teller.guide(i, slide));
     }
     for (index, roll) in mechanism.rolls.iter().enumerate() {
-        parts.push(teller.roll(roll));
+        parts.push(teller.roll(index, roll));
         parts.extend(teller.pressure(index));
     }
     parts.extend(teller.journals());
@@ -139,6 +173,15 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
         GuidePoint::Point(p) => notation.point(p),
         GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
     }
+}
+
+/// The line or the arc on which a figure states a point.
+pub(super) fn path_of(point: PointId, notation: &Notation<'_>) -> Option<Rich> {
+    let own = notation.mechanism().statements.iter().filter(|statement| statement.point == point);
+    own.flat_map(|statement| &statement.loci).find_map(|locus| match locus {
+        Locus::On(path) => Some(Teller { n: notation }.line_of(path)),
+        _ => None,
+    })
 }
 
 /// A stated length in the scene's unit, without the figures that only a calculation has.
@@ -308,12 +351,16 @@ impl Teller<'_> {
                 self.equals(Rich::upright("∠\u{a0}").then(&points), &human::degrees(angle.value.abs()))
             }
             Locus::On(path) => {
-                let slides = &self.n.mechanism().slides;
-                let guide = slides.iter().position(|slide| slide.guide.path == path);
-                let line = guide.map_or_else(|| self.path(&path), |slide| self.n.guide(slide));
+                let line = self.line_of(&path);
                 Rich::fill(words.stated_on, &[("point", self.n.point(of)), ("line", line)])
             }
         }
+    }
+
+    /// A line or an arc: by its name where it is a guide.
+    fn line_of(&self, path: &Path) -> Rich {
+        let guide = self.n.mechanism().slides.iter().position(|slide| slide.guide.path == *path);
+        guide.map_or_else(|| self.path(path), |slide| self.n.guide(slide))
     }
 
     /// A line or an arc that is no guide of a sliding pair.
@@ -484,6 +531,16 @@ impl Teller<'_> {
         told.then(|| [("place", place_of(through, self.n)), ("angle", angle)])
     }
 
+    /// From where places along a straight guide are counted.
+    fn counted_from(&self, index: usize) -> (&'static str, Rich) {
+        let path = self.n.mechanism().slides.get(index).map(|slide| slide.guide.path);
+        let place = match path {
+            Some(Path::Straight { through, .. }) => place_of(through, self.n),
+            _ => Rich::default(),
+        };
+        ("place", place)
+    }
+
     /// Whether the rider on this guide is driven along it.
     fn drives(&self, index: usize) -> bool {
         let along = |input: &Input| matches!(input, Input::Slide { slide, .. } if *slide == index);
@@ -496,40 +553,66 @@ impl Teller<'_> {
         Some(Rich::fill(self.n.words.given_pressure, &[("angle", human::degrees(angle.value))]))
     }
 
-    fn roll(&self, roll: &Roll) -> Rich {
-        let words = self.n.words;
+    /// The teeth of a rolling pair, where they are stated, and their module.
+    fn gears(&self, index: usize) -> Option<[(&'static str, Rich); 2]> {
+        let gears = self.n.scene.gears.get(index)?.as_ref()?;
+        let teeth: Vec<Rich> = gears.teeth.iter().map(|z| human::stated(f64::from(*z))).collect();
+        let teeth = Rich::join(&teeth, &Rich::upright(self.n.words.and));
+        Some([("teeth", teeth), ("module", self.length(gears.module))])
+    }
+
+    fn roll(&self, index: usize, roll: &Roll) -> Rich {
         match roll {
-            Roll::Circles { links, radii, internal, .. } => {
-                let radii = radii.map(|r| self.length(r.value));
-                let template = if *internal { words.given_wheels_inside } else { words.given_wheels };
-                let radii = Rich::join(&radii, &Rich::upright(words.and));
-                let parts =
-                    [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
-                Rich::fill(template, &parts)
-            }
+            Roll::Circles { links, radii, internal, .. } => self.wheels(index, *links, *radii, *internal),
             Roll::Line { guide, wheel, radius, .. } => {
-                let radius = ("radius", self.length(radius.value));
-                let wheel = ("wheel", self.number(*wheel));
-                if let (LinkId::FRAME, Path::Straight { through, direction, turned, offset }) =
-                    (guide.link, guide.path)
-                    && let Direction::Angle(angle) = direction
-                {
-                    let own = angle.value + turned.value;
-                    let angle = ("angle", human::degrees(own));
-                    let place = ("place", place_of(through, self.n));
-                    let level = libm::sin(own).abs() < ROUNDED;
-                    let template = if level { words.given_rail_level } else { words.given_rail };
-                    let told = Rich::fill(template, &[wheel, radius, place, angle]);
-                    let aside = [("offset", self.length(offset.value))];
-                    let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
-                    return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
-                }
-                let link = ("link", self.number(guide.link));
-                match self.line_of_rack(guide) {
-                    Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
-                    None => Rich::fill(words.given_rack, &[wheel, radius, link]),
+                let told = self.wheel_on_line(guide, *wheel, radius.value);
+                match self.gears(index) {
+                    Some(gears) => {
+                        let gears = Rich::fill(self.n.words.given_pinion, &gears);
+                        told.up("\u{a0}(").then(&gears).up(")")
+                    }
+                    None => told,
                 }
             }
+        }
+    }
+
+    /// Two wheels that roll on each other.
+    fn wheels(&self, index: usize, links: [LinkId; 2], radii: [Given; 2], internal: bool) -> Rich {
+        let words = self.n.words;
+        let radii = Rich::join(&radii.map(|r| self.length(r.value)), &Rich::upright(words.and));
+        let parts = [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
+        match (self.gears(index), internal) {
+            (Some(gears), false) => Rich::fill(words.given_gears, &[&parts[..], &gears].concat()),
+            (Some(gears), true) => Rich::fill(words.given_gears_inside, &[&parts[..], &gears].concat()),
+            (None, false) => Rich::fill(words.given_wheels, &parts),
+            (None, true) => Rich::fill(words.given_wheels_inside, &parts),
+        }
+    }
+
+    /// A wheel on a rail or a rack.
+    fn wheel_on_line(&self, guide: &Guide, wheel: LinkId, radius: f64) -> Rich {
+        let words = self.n.words;
+        let radius = ("radius", self.length(radius));
+        let wheel = ("wheel", self.number(wheel));
+        if let (LinkId::FRAME, Path::Straight { through, direction, turned, offset }) =
+            (guide.link, guide.path)
+            && let Direction::Angle(angle) = direction
+        {
+            let own = angle.value + turned.value;
+            let angle = ("angle", human::degrees(own));
+            let place = ("place", place_of(through, self.n));
+            let level = libm::sin(own).abs() < ROUNDED;
+            let template = if level { words.given_rail_level } else { words.given_rail };
+            let told = Rich::fill(template, &[wheel, radius, place, angle]);
+            let aside = [("offset", self.length(offset.value))];
+            let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
+            return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
+        }
+        let link = ("link", self.number(guide.link));
+        match self.line_of_rack(guide) {
+            Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
+            None => Rich::fill(words.given_rack, &[wheel, radius, link]),
         }
     }
 
@@ -939,7 +1022,9 @@ impl Teller<'_> {
                         Some(from) => {
                             Rich::fill(self.n.words.given_at_angle, &[&[point, distance], &from[..]].concat())
                         }
-                        None => Rich::fill(self.n.words.given_at, &[point, distance]),
+                        None => {
+                            Rich::fill(self.n.words.given_at, &[point, distance, self.counted_from(*slide)])
+                        }
                     });
                 }
                 if self.rests([velocity.value, acceleration.value]) {

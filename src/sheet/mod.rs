@@ -54,6 +54,7 @@ pub mod scale;
 mod skeleton;
 mod slots;
 mod speeds;
+mod stated;
 mod statics;
 mod steps;
 mod table;

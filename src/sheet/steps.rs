@@ -1,6 +1,7 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
 use std::cell::RefCell;
+use std::ops::Range;
 
 use super::given::{StatedLength, dimensions};
 use super::human;
@@ -136,7 +137,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             }
             if let Act::MeasureLength { from, to, .. } = act {
                 let told = figures.borrow().has(Key::length([*from, *to]));
-                if own_coordinates_tell(notation, [*from, *to]) || told || measured.contains(&[*from, *to]) {
+                if is_given(notation, [*from, *to]) || told || measured.contains(&[*from, *to]) {
                     continue;
                 }
                 measured.push([*from, *to]);
@@ -259,6 +260,12 @@ fn tell_driven_slides(notation: &Notation<'_>, figures: &RefCell<Figures>) {
     }
 }
 
+/// Whether a distance is given: by the figure, or by a link's own coordinates.
+fn is_given(notation: &Notation<'_>, ends: [PointId; 2]) -> bool {
+    let by_figure = super::given::stated_distances(notation).any(|own| own.is_between(ends));
+    by_figure || own_coordinates_tell(notation, ends)
+}
+
 /// Whether a distance is that of a point which its link has by own coordinates, on the line from the first joint.
 fn own_coordinates_tell(notation: &Notation<'_>, [from, to]: [PointId; 2]) -> bool {
     let mechanism = notation.mechanism();
@@ -285,23 +292,43 @@ enum Part {
     Act(usize),
 }
 
-/// The order in which a step is told: what an equation takes as known is calculated before its table stands there.
+/// The order in which a step is told: what an equation takes as known is calculated before its table stands there, and the
+/// equation of a further point stands where its drawing begins.
 fn in_order(step: &Step) -> Vec<Part> {
+    let mut begins: Vec<usize> = step.equations.iter().map(|equation| equation.begins).collect();
+    begins.extend([0, step.acts.len()]);
+    begins.sort_unstable();
+    begins.dedup();
+    let mut all: Vec<Part> = Vec::new();
+    for pair in begins.windows(2) {
+        part_in_order(step, pair[0]..pair[1], &mut all);
+    }
+    all
+}
+
+/// The same of the acts from where some equations begin to where the next ones do.
+fn part_in_order(step: &Step, acts: Range<usize>, all: &mut Vec<Part>) {
+    let own: Vec<usize> =
+        (0..step.equations.len()).filter(|&i| step.equations[i].begins == acts.start).collect();
     let reckons = |act: &Act| matches!(act, Act::Calculate(_) | Act::MeasureLength { .. });
-    let meets = |act: &Act| matches!(act, Act::MarkMeet { .. } | Act::TryPolygon { .. });
-    // Before the first meeting nothing is calculated from what the step itself finds.
-    let found = step.acts.iter().position(meets).unwrap_or(step.acts.len());
-    let first = |index: &usize| !step.equations.is_empty() && *index < found && reckons(&step.acts[*index]);
-    let (early, late): (Vec<usize>, Vec<usize>) = (0..step.acts.len()).partition(first);
+    let seeks = own.iter().any(|&i| step.equations[i].has_unknowns());
+    // Before this nothing is calculated from what the step itself finds.
+    let finds = |act: &Act| match act {
+        Act::MarkMeet { .. } | Act::TryPolygon { .. } => true,
+        Act::ReadVector { .. } => !seeks,
+        _ => false,
+    };
+    let found = acts.clone().find(|&index| finds(&step.acts[index])).unwrap_or(acts.end);
+    let first = |index: &usize| !own.is_empty() && *index < found && reckons(&step.acts[*index]);
+    let (early, late): (Vec<usize>, Vec<usize>) = acts.partition(first);
     let takes = |equation: &Equation, index: usize| {
         let Act::Calculate(calculation) = &step.acts[index] else { return false };
-        let terms = || equation.left.iter().chain(&equation.right);
-        calculated(calculation).is_some_and(|(known, _)| terms().any(|term| term.quantity == known))
+        calculated(calculation).is_some_and(|(known, _)| equation.terms().any(|term| term.quantity == known))
     };
-    let mut all: Vec<Part> = early.into_iter().map(Part::Act).collect();
+    all.extend(early.into_iter().map(Part::Act));
     let mut waiting: Vec<(usize, Option<usize>)> = Vec::new();
-    for (i, equation) in step.equations.iter().enumerate() {
-        let last = late.iter().copied().filter(|index| takes(equation, *index)).max();
+    for i in own {
+        let last = late.iter().copied().filter(|index| takes(&step.equations[i], *index)).max();
         match last {
             None => all.push(Part::Equation(i)),
             Some(_) => waiting.push((i, last)),
@@ -312,7 +339,6 @@ fn in_order(step: &Step) -> Vec<Part> {
         let now = waiting.iter().filter(|(_, last)| *last == Some(index));
         all.extend(now.map(|(equation, _)| Part::Equation(*equation)));
     }
-    all
 }
 
 /// The vector whose magnitude a calculation gives, and against which point of its link.
@@ -514,8 +540,8 @@ impl Teller<'_> {
             gap: 2.2,
             flow: if words.right_to_left { Flow::LabelsRight } else { Flow::Rightward },
         };
-        let sides = [&equation.left, &equation.right];
-        for (side, terms) in sides.into_iter().enumerate() {
+        let sides = [equation.whole.as_slice(), &equation.left, &equation.right];
+        for (side, terms) in sides.into_iter().filter(|terms| !terms.is_empty()).enumerate() {
             // Coriolis is drawn early and written last.
             let coriolis = |t: &&Written| matches!(t.term.quantity, Quantity::Coriolis(..));
             let terms: Vec<Written> = terms.iter().flat_map(|term| self.written(term)).collect();
@@ -799,7 +825,10 @@ impl Teller<'_> {
                 words.draw_seeing,
                 &[("line", n.length(*from, *to)), ("angle", human::degrees(angle.abs()))],
             ),
-            Act::DrawPath { point } => Rich::fill(words.draw_path, &[("point", n.point(*point))]),
+            Act::DrawPath { point } => {
+                let line = super::given::path_of(*point, n)?;
+                Rich::fill(words.draw_path, &[("line", line), ("point", n.point(*point))])
+            }
             Act::LayOffLink { from, to, angle, length, .. }
             | Act::LayOffPlace { from, to, angle, length } => Rich::fill(
                 words.lay_off_link,
@@ -1071,16 +1100,20 @@ impl Teller<'_> {
         Some(line.then(&value))
     }
 
+    /// Whether a length is nothing beside the mechanism.
+    fn is_nothing(&self, length: f64) -> bool {
+        /// As a scene rounds it.
+        const ROUNDED: f64 = 1e-9;
+        length.abs() <= ROUNDED * self.construction.space.size()
+    }
+
     /// A length that is laid off: as it is stated, or as it is read off what stands.
     fn length_as_told(&self, ends: [PointId; 2], si: f64) -> Rich {
         let n = self.notation;
-        let is_it = |own: StatedLength| {
-            [[own.from, own.to], [own.to, own.from]].contains(&ends)
-                && (own.length - si).abs() <= 1e-12 * si.abs()
-        };
+        let is_it = |own: StatedLength| own.is_between(ends) && (own.length - si).abs() <= 1e-12 * si.abs();
         let mechanism = n.mechanism();
         let own = |link| super::given::dimensions(mechanism.link(link), n);
-        if mechanism.moving().flat_map(own).any(is_it) {
+        if mechanism.moving().flat_map(own).chain(super::given::stated_distances(n)).any(is_it) {
             return super::given::stated_with_unit(si, n);
         }
         let unit = &n.scene.units.length;
@@ -1716,6 +1749,8 @@ impl Teller<'_> {
                     n.with_sense(human::with_unit(&result, &w.symbol), *value),
                 )
             }
+            // At a joint nothing turns about it: no line leads from the one to the other.
+            Calculation::Normal { length: l, .. } if self.is_nothing(*l) => return None,
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
                 let factors = [seen(*velocity, ends[0], *speed, &v), between(*ends, *l)];
                 let ([read, size], result) =
