@@ -392,7 +392,8 @@ impl Draughtsman<'_> {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
         let slip = self.motion(Order::Velocity).slidings[slide];
-        if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
+        let turns = !self.translates[guide.link.0];
+        if let (Some(slip), true) = (slip, turns) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
@@ -411,7 +412,8 @@ impl Draughtsman<'_> {
                 value: normal.value(),
             }));
             let kind = (VectorKind::Normal, quantity);
-            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, feet[1]));
+            let end = feet[usize::from(turns)];
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, end));
         }
         (label, at)
     }
@@ -508,7 +510,8 @@ impl Draughtsman<'_> {
     /// Feet of the sliding parts are named after the rider where the polygon is closed backwards from a
     /// pin, else after the guide's link.
     fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
-        self.solved_side(slide, back).map(|_| self.mechanism.slides[slide].guide.link)
+        let link = self.solved_side(slide, back).map(|_| self.mechanism.slides[slide].guide.link);
+        link.filter(|link| *link != LinkId::FRAME)
     }
 
     /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.

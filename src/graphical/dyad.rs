@@ -68,7 +68,7 @@ impl Draughtsman<'_> {
             Unknown::Carried { .. } => 2,
             Unknown::Contact { .. } => 0,
             Unknown::Slide { slide, .. } => match self.mechanism.slides[slide].guide {
-                Guide { path: Path::Arc { .. }, .. } => 2,
+                Guide { path: Path::Arc { .. }, link } => 1 + u8::from(!self.translates[link.0]),
                 Guide { link, .. } => u8::from(!self.translates[link.0]),
             },
         };
@@ -616,9 +616,8 @@ impl Draughtsman<'_> {
         };
         let parts: Vec<Term> = parts.iter().filter_map(laid).collect();
         if !parts.is_empty() {
-            let left = [first].into_iter().chain(parts).collect();
-            let whole = Some(sought_whole(order, point));
-            self.equation(Equation { begins, whole, left, right: Vec::new() });
+            let (whole, right) = (sought_whole(order, point), [first].into_iter().chain(parts).collect());
+            self.equation(Equation { begins, whole: None, left: vec![whole], right });
         }
     }
 

@@ -273,10 +273,7 @@ impl Artist<'_> {
             own.mark(head(tip, (tip - from).normalize(), HEAD * 0.8));
             ink.extend(&own);
             let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
-            let text = match teeth {
-                Some(teeth) => Rich::italic("z").up(&format!("\u{a0}= {teeth},\u{a0}")).then(&text),
-                None => text,
-            };
+            all.extend(teeth.map(|teeth| wheel_teeth(at, drawn, teeth)));
             let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, CLASS);
             request.leader = true;
             all.push(Drawn { cost, ink: own, text: Some(request), places: None });
@@ -301,6 +298,18 @@ impl Artist<'_> {
             all.push(Drawn { cost: 0.0, ink: own, text: Some(request), places: None });
         }
     }
+}
+
+/// The number of teeth of a wheel, outside of its pitch circle.
+fn wheel_teeth(at: Point, radius: f64, teeth: u32) -> Drawn {
+    let text = Rich::italic("z").up(&format!("\u{a0}=\u{a0}{teeth}"));
+    let site = |k: u32| {
+        let way = f64::from(k) * (std::f64::consts::TAU / 12.0);
+        Site::Around { at: on_circle(at, radius, way), radius: 0.5, toward: Some(way) }
+    };
+    let first = Request::new(text, TYPE, site(1), CLASS);
+    let request = (2..=12).fold(first, |request, k| request.or(site(k)));
+    Drawn { cost: 0.0, ink: Group::new("dimension"), text: Some(request), places: None }
 }
 
 /// A dimension line with its arrowheads and extension lines.

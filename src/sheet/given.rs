@@ -15,8 +15,8 @@ use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing, Statement};
 use crate::mechanism::{
-    Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place,
-    PointId, Rider, Roll, Sense, Slide,
+    Direction, Form, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId,
+    Rider, Roll, Sense, Slide,
 };
 
 /// A dimension of a link: the distance of two of its points, as stated.
@@ -124,7 +124,9 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
         }
     }
     for statement in mechanism.statements.iter().filter(|s| s.standing != Standing::Driven) {
-        let told = statement.loci.iter().filter(|locus| !teller.is_guide_of(statement.point, locus));
+        let told = statement.loci.iter().filter(|locus| {
+            !teller.is_guide_of(statement.point, locus) && !teller.is_dimension_of(statement.point, locus)
+        });
         parts.extend(told.map(|locus| teller.locus(statement.point, locus)));
     }
     for (i, slide) in mechanism.slides.iter().enumerate() {
@@ -172,6 +174,55 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
     match point {
         GuidePoint::Point(p) => notation.point(p),
         GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
+    }
+}
+
+/// A straight guide of the frame that is offset from a place: its name, how far it lies beside the place, metres, and on which
+/// side.
+pub(super) fn beside(index: usize, notation: &Notation<'_>) -> Option<(Rich, f64, Rich)> {
+    let slide = notation.mechanism().slides.get(index)?;
+    let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } = slide.guide.path
+    else {
+        return None;
+    };
+    if offset.value == 0.0 || slide.guide.link != LinkId::FRAME {
+        return None;
+    }
+    let words = notation.words;
+    let own = angle.value + turned.value;
+    let guide = match notation.lie(index) {
+        Some(_) => notation.named_guide(index),
+        None => {
+            let parts = [("line", notation.named_guide(index)), ("angle", as_written(own, notation))];
+            Rich::fill(words.stated_ray, &parts)
+        }
+    };
+    let (sin, cos) = libm::sincos(own);
+    let upright = cos.abs() < ROUNDED;
+    let side = match (upright, cos * offset.value > 0.0, -sin * offset.value > 0.0) {
+        (false, true, _) => words.side_above,
+        (false, false, _) => words.side_below,
+        (true, _, true) => words.side_right,
+        (true, _, false) => words.side_left,
+    };
+    Some((guide, offset.value.abs(), Rich::fill(side, &[("place", place_of(through, notation))])))
+}
+
+/// A stated angle in degrees, with its turns as it is written; one that is written in radians to a hundredth.
+pub(super) fn degrees(si: f64, notation: &Notation<'_>) -> Rich {
+    match notation.scene.written.angle_of(si) {
+        Some((own, true)) => human::hundredths_of_a_degree(own),
+        Some((own, false)) => human::degrees(own),
+        None => human::degrees(si),
+    }
+}
+
+/// The same as it is written: radians, with degrees beside them.
+pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
+    let told = degrees(si, notation);
+    match notation.scene.written.angle_of(si) {
+        Some((own, true)) => human::stated(own).up("\u{a0}rad\u{a0}(").then(&told).up(")"),
+        _ => told,
     }
 }
 
@@ -289,6 +340,11 @@ impl Teller<'_> {
         self.place(x.value, y.value)
     }
 
+    /// A size in the unit in which it is written; where it is written in none, in the usual one.
+    fn written(&self, si: f64, usual: &Unit) -> Rich {
+        human::stated_quantity(si, &self.n.scene.written.unit_of(si, usual))
+    }
+
     fn number(&self, link: LinkId) -> Rich {
         Rich::upright(self.n.number(link))
     }
@@ -332,6 +388,14 @@ impl Teller<'_> {
         self.n.mechanism().slides.iter().any(|slide| slide.guide.path == *path && rides(slide))
     }
 
+    /// Whether a locus is a distance that a link's dimensions give.
+    fn is_dimension_of(&self, of: PointId, locus: &Locus) -> bool {
+        let Locus::Circle { centre, .. } = *locus else { return false };
+        let mechanism = self.n.mechanism();
+        let mut own = mechanism.moving().flat_map(|link| dimensions(mechanism.link(link), self.n));
+        own.any(|own| own.is_between([centre, of]))
+    }
+
     /// What is stated of a point's place.
     fn locus(&self, of: PointId, locus: &Locus) -> Rich {
         let words = self.n.words;
@@ -340,7 +404,7 @@ impl Teller<'_> {
                 self.equals(self.n.length(centre, of), &self.length(radius.value))
             }
             Locus::Ray { from, direction } => {
-                let angle = ("angle", human::degrees(direction.value));
+                let angle = ("angle", as_written(direction.value, self.n));
                 Rich::fill(words.stated_ray, &[("line", self.n.length(from, of)), angle])
             }
             Locus::Square { through, to: [from, to] } => {
@@ -416,6 +480,10 @@ impl Teller<'_> {
             Path::Straight { through, direction, turned, offset } => (through, direction, turned, offset),
         };
         let place = place_of(through, self.n);
+        if let Some((guide, own, side)) = beside(index, self.n).filter(|_| !self.drives(index)) {
+            let parts = [("guide", guide), ("offset", self.length(own)), ("side", side)];
+            return Some(Rich::fill(words.given_guide_beside, &parts));
+        }
         let told = match direction {
             // A rider that drives has a sense along its guide, which the angle tells.
             Direction::Angle(_)
@@ -425,7 +493,7 @@ impl Teller<'_> {
                 Rich::fill(words.given_guide_through, &[guide, ("place", place)])
             }
             Direction::Angle(angle) => {
-                let angle = ("angle", human::degrees(angle.value + turned.value));
+                let angle = ("angle", as_written(angle.value + turned.value, self.n));
                 let frame = slide.guide.link == LinkId::FRAME;
                 // A link that is nothing but a guide has no axes of its own.
                 let alone = matches!(self.n.mechanism().link(slide.guide.link).form, Form::Single)
@@ -563,7 +631,9 @@ impl Teller<'_> {
 
     fn roll(&self, index: usize, roll: &Roll) -> Rich {
         match roll {
-            Roll::Circles { links, radii, internal, .. } => self.wheels(index, *links, *radii, *internal),
+            Roll::Circles { links, radii, internal, .. } => {
+                self.wheels(index, *links, radii.map(|radius| radius.value), *internal)
+            }
             Roll::Line { guide, wheel, radius, .. } => {
                 let told = self.wheel_on_line(guide, *wheel, radius.value);
                 match self.gears(index) {
@@ -578,9 +648,9 @@ impl Teller<'_> {
     }
 
     /// Two wheels that roll on each other.
-    fn wheels(&self, index: usize, links: [LinkId; 2], radii: [Given; 2], internal: bool) -> Rich {
+    fn wheels(&self, index: usize, links: [LinkId; 2], radii: [f64; 2], internal: bool) -> Rich {
         let words = self.n.words;
-        let radii = Rich::join(&radii.map(|r| self.length(r.value)), &Rich::upright(words.and));
+        let radii = Rich::join(&radii.map(|radius| self.length(radius)), &Rich::upright(words.and));
         let parts = [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
         match (self.gears(index), internal) {
             (Some(gears), false) => Rich::fill(words.given_gears, &[&parts[..], &gears].concat()),
@@ -639,11 +709,11 @@ impl Teller<'_> {
             match mass.heaviness {
                 Heaviness::Mass(kg) => {
                     let symbol = at(Rich::italic("M").sub(&number));
-                    parts.push(self.equals(symbol, &human::stated_quantity(kg.value, &units.mass)));
+                    parts.push(self.equals(symbol, &self.written(kg.value, &units.mass)));
                 }
                 Heaviness::Weight(weight) => {
                     let symbol = at(Rich::italic("W").sub(&number));
-                    parts.push(self.equals(symbol, &human::stated_quantity(weight.value, &units.force)));
+                    parts.push(self.equals(symbol, &self.written(weight.value, &units.force)));
                 }
                 Heaviness::None => {}
             }
@@ -655,13 +725,11 @@ impl Teller<'_> {
             match mass.inertia {
                 Inertia::Point => {}
                 Inertia::Central(value) => {
-                    parts.push(
-                        self.equals(inertia(None), &human::stated_quantity(value.value, &units.inertia)),
-                    );
+                    parts.push(self.equals(inertia(None), &self.written(value.value, &units.inertia)));
                 }
                 Inertia::About(point, value) => {
                     let symbol = inertia(Some(point));
-                    parts.push(self.equals(symbol, &human::stated_quantity(value.value, &units.inertia)));
+                    parts.push(self.equals(symbol, &self.written(value.value, &units.inertia)));
                 }
                 Inertia::Gyration(radius) => {
                     parts.push(self.equals(Rich::italic("ρ").sub(&number), &self.length(radius.value)));
@@ -676,7 +744,7 @@ impl Teller<'_> {
             let direction = forces.gravity.direction.value;
             let down = (direction - crate::mechanism::force::Gravity::DOWN.value).abs() < 1e-12;
             parts.push(match (forces.gravity.acts, down) {
-                (true, false) => told.up("\u{a0}∠\u{a0}").then(&human::degrees(direction)),
+                (true, false) => told.up("\u{a0}∠\u{a0}").then(&degrees(direction, self.n)),
                 (true, true) => told,
                 (false, _) => {
                     told.up("\u{a0}(").then(&Rich::upright(self.n.words.given_weights_rest)).up(")")
@@ -703,13 +771,13 @@ impl Teller<'_> {
             match spring.law {
                 SpringLaw::Stiffness { stiffness, free } => {
                     if let Size::Given(stiffness) = stiffness {
-                        let value = human::stated_quantity(stiffness.value, &units.stiffness);
+                        let value = self.written(stiffness.value, &units.stiffness);
                         parts.push(self.equals(symbol("K"), &value));
                     }
                     parts.push(self.equals(symbol("l"), &self.length(free.value)));
                 }
                 SpringLaw::Force(Size::Given(force)) => {
-                    parts.push(self.equals(symbol("F"), &human::stated_quantity(force.value, &units.force)));
+                    parts.push(self.equals(symbol("F"), &self.written(force.value, &units.force)));
                 }
                 SpringLaw::Force(_) => {}
             }
@@ -749,7 +817,7 @@ impl Teller<'_> {
                 told
             }
             SpringLaw::Force(Size::Given(torque)) => {
-                let value = human::stated_quantity(torque.value.abs(), &self.n.scene.units.torque);
+                let value = self.written(torque.value.abs(), &self.n.scene.units.torque);
                 vec![self.equals(symbol("T"), &value.word(self.n.sense(torque.value)))]
             }
             SpringLaw::Force(_) => Vec::new(),
@@ -807,12 +875,12 @@ impl Teller<'_> {
                 continue;
             }
             let places = ("places", Rich::join(&places, &Rich::upright(words.comma)));
-            all.push(match (&link.form, &link.points[..]) {
-                (Form::Length(_), [from, to, ..]) => {
-                    let parts = [places, ("from", self.n.point(*from)), ("line", self.n.length(*from, *to))];
+            all.push(match own_axis(link) {
+                Some([from, to]) => {
+                    let parts = [places, ("from", self.n.point(from)), ("line", self.n.length(from, to))];
                     Rich::fill(words.given_own_place, &parts)
                 }
-                _ => {
+                None => {
                     let link = ("link", Rich::upright(link.number.to_string()));
                     Rich::fill(words.given_shape, &[link, places])
                 }
@@ -839,12 +907,12 @@ impl Teller<'_> {
             Rich::upright("\u{a0}").then(&Rich::fill(words, &[("velocity", velocity)]))
         };
         let size = |size: Size, unit: &Unit| match size {
-            Size::Given(given) => human::stated_quantity(given.value, unit),
+            Size::Given(given) => self.written(given.value, unit),
             Size::Curve(curve) => of_curve(&mechanism.forces.curves[curve], unit),
             Size::Pressure { pressure, area } => {
                 let pressure = match pressure {
                     Pressure::Given(pressure) => {
-                        human::stated_quantity(pressure.value, &handy(&units.pressure, pressure.value))
+                        self.written(pressure.value, &handy(&units.pressure, pressure.value))
                     }
                     Pressure::Curve(curve) => {
                         let curve = &mechanism.forces.curves[curve];
@@ -880,7 +948,7 @@ impl Teller<'_> {
                     Size::Sought => name.word(self.n.words.given_sought),
                     // A sense, not a sign.
                     Size::Given(given) if with_motion.is_none() => {
-                        let value = human::stated_quantity(given.value.abs(), &units.torque);
+                        let value = self.written(given.value.abs(), &units.torque);
                         self.equals(name, &value.word(self.n.sense(given.value)))
                     }
                     _ => self.equals(name, &size(of, &units.torque)),
@@ -911,11 +979,11 @@ impl Teller<'_> {
                 let words = self.n.words;
                 match pointing {
                     Pointing::Own { link, angle } if link != LinkId::FRAME => {
-                        let parts = [("angle", human::degrees(angle.value)), ("link", self.number(link))];
+                        let parts = [("angle", degrees(angle.value, self.n)), ("link", self.number(link))];
                         told.then(&Rich::fill(words.given_to_own_axis, &parts))
                     }
                     Pointing::World(angle) | Pointing::Own { angle, .. } => {
-                        told.up("∠\u{a0}").then(&human::degrees(angle.value))
+                        told.up("∠\u{a0}").then(&degrees(angle.value, self.n))
                     }
                     Pointing::Between { from, to, turned } => {
                         let line = ("line", self.n.length(from, to));
@@ -981,7 +1049,7 @@ impl Teller<'_> {
         let second_unit = |usual: Unit| stated.and_then(|s| s.second.clone()).unwrap_or(usual);
         let angle = |link, angle: f64| {
             let angle = stated.and_then(|s| s.angle).unwrap_or(angle);
-            self.equals(self.n.symbol(Quantity::Angle(link), false), &human::degrees(angle))
+            self.equals(self.n.symbol(Quantity::Angle(link), false), &as_written(angle, self.n))
         };
         match input {
             Input::Angle { link, angle: at, omega, alpha } => {
@@ -1079,6 +1147,20 @@ impl Teller<'_> {
             Rider::Link { link, .. } => mechanism.links.get(link.0)?.points.first().copied(),
         }
     }
+}
+
+/// The points of a link between which its own x-axis runs from its origin, where its dimensions say so.
+fn own_axis(link: &Link) -> Option<[PointId; 2]> {
+    let origin = link.points.iter().copied().find(|point| link.has_at_origin(*point))?;
+    let to = match &link.form {
+        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } => link.points.get(1).copied(),
+        Form::Line(along) => {
+            let ahead = link.points.iter().zip(along).find(|(_, along)| along.value > 0.0);
+            ahead.map(|(point, _)| *point)
+        }
+        Form::Shape(_) | Form::Placed | Form::Single => None,
+    };
+    to.map(|to| [origin, to])
 }
 
 /// How the own line of a link lies against that of the points which lead its guide, where it slides without turning against

@@ -6,7 +6,6 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Moment, Pen, Shape, Tone, on_circle};
 use super::growth::Births;
-use super::human;
 use super::ink::{
     FINE, HEAD, LABEL, MOST_HATCHES, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head,
     hull, page,
@@ -75,6 +74,11 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
     artist.links_and_joints(&mut group, false);
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
+    let (arrows, names) = artist.driven_velocities();
+    if !arrows.children.is_empty() {
+        group.group(arrows);
+    }
+    artist.labels.extend(names);
     if let Some((on, along)) = artist.pose.axis_of_rotation() {
         group.group(super::governor::axis(on, along, construction));
     }
@@ -239,8 +243,8 @@ impl<'a> Artist<'a> {
         };
         artist.bars = artist.all_bars();
         artist.add_slots();
-        let arms = artist.rack_arms();
-        artist.bars.extend(arms);
+        let more = [artist.rack_arms(), artist.tubes()].concat();
+        artist.bars.extend(more);
         artist
     }
 }
@@ -783,7 +787,7 @@ impl Artist<'_> {
             let middle = on_circle(from, radius, turn / 2.0);
             let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
             let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
-            let text = text.then(&human::degrees(angle));
+            let text = text.then(&super::given::degrees(angle, &self.notation));
             let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
             let quarter = on_circle(from, radius, turn / 4.0);
             let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
@@ -978,6 +982,7 @@ impl Artist<'_> {
 
     fn number_links(&mut self) {
         let mut requests = Vec::new();
+        let sleeves: Vec<LinkId> = self.tubes().into_iter().map(|(link, ..)| link).collect();
         for link in self.notation.mechanism().moving() {
             let number = self.notation.number(link);
             let blocked = self.notation.mechanism().links[link.0].block;
@@ -987,8 +992,8 @@ impl Artist<'_> {
                 .filter(|(l, ..)| *l == link)
                 .max_by(|x, y| x.1.distance(x.2).total_cmp(&y.1.distance(y.2)));
             match longest {
-                // A block has its number already.
-                Some(_) if blocked => {}
+                // A block and a sleeve have their numbers already.
+                Some(_) if blocked || sleeves.contains(&link) => {}
                 Some((_, a, b)) => {
                     // A straight link with a middle joint is numbered on its longer piece.
                     let (from, to) = self.longest_piece(link, *a, *b);
@@ -998,13 +1003,6 @@ impl Artist<'_> {
                     }
                     requests.push(request.lived(self.born_link(link)));
                 }
-                // A sleeve has its number already.
-                None if self
-                    .notation
-                    .mechanism()
-                    .slides
-                    .iter()
-                    .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
                 // While the drawing grows, a link of which one joint is there is not there yet.
                 None if self.pose.places(link).len() < self.notation.mechanism().link(link).points.len() => {}
                 None if !blocked => {

@@ -8,13 +8,16 @@ use kurbo::{Point, Rect, Vec2};
 use super::dimensions::{CLASS, Distance, Drawn, SHORTEST, TYPE, touched, walk};
 use super::figure::{Group, Mark, Pen, Shape, on_circle};
 use super::human;
-use super::ink::{FINE, HEAD, arc_arrow, head, right_angle};
+use super::ink::{FINE, HEAD, SMALL, THIN, arc_arrow, arrow, head, right_angle};
 use super::labels::{Obstacles, Request, Site};
 use super::pose::GuideLine;
 use super::rich::Rich;
-use super::skeleton::{Artist, PIN, SLOT_BLOCK, nearest};
+use super::skeleton::{Artist, BLOCK, PIN, SLOT_BLOCK, nearest};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::statement::{Locus, Standing};
-use crate::mechanism::{Direction, Form, Guide, GuidePoint, Link, LinkId, Path, PointId, Rider, Roll, Slide};
+use crate::mechanism::{
+    Direction, Form, Guide, GuidePoint, Input, Link, LinkId, Path, PointId, Rider, Roll, Slide,
+};
 
 /// As a scene rounds an angle.
 const ROUNDED: f64 = 1e-9;
@@ -117,9 +120,14 @@ impl Artist<'_> {
     fn ray(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles, (from, at): (PointId, Point), direction: f64) {
         let Some(vertex) = self.pose.place(from) else { return };
         let sweep = if direction.abs() > TAU { libm::remainder(direction, TAU) } else { direction };
-        let text = human::degrees(direction);
-        let legs = [true, !self.has_bar(vertex, at)];
-        self.angle(all, ink, Angle { vertex, start: 0.0, sweep, text, legs });
+        let text = super::given::degrees(direction, &self.notation);
+        let mut line = Group::new("dimension");
+        self.leg(&mut line, vertex, at);
+        if !line.children.is_empty() {
+            ink.extend(&line);
+            all.push(Drawn { cost: 0.0, ink: line, text: None, places: None });
+        }
+        self.angle(all, ink, Angle { vertex, start: 0.0, sweep, text, legs: [true, false] });
     }
 
     /// A right angle at the foot of a line on another.
@@ -181,7 +189,7 @@ impl Artist<'_> {
         for (index, slide) in mechanism.slides.iter().enumerate() {
             let Some(rider) = self.pose.rider(slide) else { continue };
             let driven = mechanism.inputs.iter().find_map(|input| match input {
-                crate::mechanism::Input::Slide { slide, at, .. } if *slide == index => *at,
+                Input::Slide { slide, at, .. } if *slide == index => *at,
                 _ => None,
             });
             self.path(all, ink, slide.guide, rider, driven.map(|at| at.value));
@@ -307,7 +315,8 @@ impl Artist<'_> {
         } else {
             let joint = mechanism.link(link).points.first().copied();
             let joint = joint.filter(|joint| mechanism.link(link).has_at_origin(*joint));
-            let Some((from, (_, x))) = joint.and_then(|p| self.pose.place(p)).zip(self.pose.axes(link)) else {
+            let Some((from, (_, x))) = joint.and_then(|p| self.pose.place(p)).zip(self.pose.axes(link))
+            else {
                 return;
             };
             ([0.0; 2], from, x)
@@ -406,6 +415,39 @@ impl Artist<'_> {
             Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward: Some(middle) }, CLASS);
         request.leader = true;
         all.push(Drawn { cost, ink: own, text: Some(request), places: None });
+    }
+
+    /// The velocities of what is driven along straight guides, as arrows beside their riders, with their names.
+    pub(super) fn driven_velocities(&self) -> (Group, Vec<Request>) {
+        let mut all = Group::new("rotations");
+        let mut names = Vec::new();
+        let mechanism = self.notation.mechanism();
+        for input in &mechanism.inputs {
+            let Input::Slide { slide: index, velocity, .. } = input else { continue };
+            let slide = mechanism.slides[*index];
+            let (Some(GuideLine::Straight { at, along }), Some(point)) =
+                (self.pose.guide(&slide), mechanism.rubbing_point(*index))
+            else {
+                continue;
+            };
+            if velocity.value == 0.0 {
+                continue;
+            }
+            let on_frame = slide.guide.link == LinkId::FRAME;
+            let along = along * velocity.value.signum();
+            let aside = -self.frame_side(at, along) * (BLOCK.1 + 2.0);
+            let (from, to) = (at + aside - along * 5.0, at + aside + along * 5.0);
+            let mut own = Group::new("velocity-given");
+            arrow(&mut own, from, to, THIN);
+            all.group(own);
+            let quantity =
+                if on_frame { Quantity::Velocity(point) } else { Quantity::Slip(point, slide.guide.link) };
+            let text = self.notation.symbol(quantity, false);
+            let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label rotation-name");
+            request.leader = true;
+            names.push(request);
+        }
+        (all, names)
     }
 
     /// The right angles between two guides that lead one link: of moving guides at its block, of guides of the frame where

@@ -703,6 +703,36 @@ impl Teller<'_> {
         })
     }
 
+    /// What is read of two trial polygons for the proportion: how far the image that closes is from the first trial's, and the
+    /// second trial's from that.
+    fn read_of_trials(&self, driver: TrialDriver, order: Order) -> Option<Rich> {
+        let n = self.notation;
+        let point = self.step.acts.iter().find_map(|act| match act {
+            Act::TryPolygon { driver: own, closing, order: of, .. } if (*own, *of) == (driver, order) => {
+                match closing {
+                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. } => Some(*point),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })?;
+        let images = &self.construction.diagram(order.diagram())?.images;
+        let at = |wanted: Label| images.iter().find(|image| image.label == wanted).map(|image| image.at);
+        let own = images
+            .iter()
+            .map(|image| image.label)
+            .find(|label| matches!(label, Label::Image { point: of, link: None } if *of == point))?;
+        let [first, second] = [false, true].map(|second| Label::Trial { point, second });
+        let from = at(first)?;
+        let read = |end: Label| {
+            let to = at(end)?;
+            let mm = human::millimetres(libm::hypot(to[0] - from[0], to[1] - from[1]));
+            Some(n.image_line(first, end, order.diagram()).up("\u{a0}= ").then(&mm))
+        };
+        let list = n.list(&[read(own)?, read(second)?]);
+        Some(Rich::fill(n.words.measured_arms, &[("list", list)]))
+    }
+
     /// How a position is found by trial.
     fn try_position(&self, driver: TrialDriver, closing: &Closing) -> Option<Rich> {
         let n = self.notation;
@@ -811,15 +841,24 @@ impl Teller<'_> {
                     None => self.trial_value(*driver, *order, *rate),
                 };
                 let symbol = self.trial_symbol(*driver, *order)?;
-                Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)])
+                let told = Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)]);
+                match self.read_of_trials(*driver, *order) {
+                    Some(read) => read.up(" ").then(&told),
+                    None => told,
+                }
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,
-                &[("from", n.point(*from)), ("angle", human::degrees(*angle))],
+                &[("from", n.point(*from)), ("angle", super::given::degrees(*angle, n))],
             ),
             Act::DrawSquare { through, to: [from, to] } => {
                 Rich::fill(words.draw_square, &[("point", n.point(*through)), ("line", n.length(*from, *to))])
+            }
+            Act::DrawSeeing { ends: [from, to], angle }
+                if (angle.abs() - std::f64::consts::FRAC_PI_2).abs() < 1e-9 =>
+            {
+                Rich::fill(words.draw_on_diameter, &[("line", n.length(*from, *to))])
             }
             Act::DrawSeeing { ends: [from, to], angle } => Rich::fill(
                 words.draw_seeing,
@@ -838,7 +877,7 @@ impl Teller<'_> {
                     ("length", n.length(*from, *to)),
                     ("value", metres([*from, *to], *length)),
                     ("mm", human::millimetres(length / per_mm)),
-                    ("angle", human::degrees(self.as_given(*angle))),
+                    ("angle", super::given::degrees(self.as_given(*angle), n)),
                 ],
             ),
             Act::StrikeArc { centre, to, radius } => self.arc_about([*centre, *to], *radius),
@@ -998,8 +1037,10 @@ impl Teller<'_> {
                     ],
                 )
             }
-            Act::CompleteImage { label, base, .. } if self.ratio_on_line(*label, *base).is_some() => {
-                let ratio = self.ratio_on_line(*label, *base)?;
+            Act::CompleteImage { label, link, base }
+                if self.ratio_on_line(*link, *label, *base).is_some() =>
+            {
+                let ratio = self.ratio_on_line(*link, *label, *base)?;
                 return self.act(&Act::DivideImage { label: *label, from: base[0], to: base[1], ratio });
             }
             Act::CompleteImage { label, link, base } => Rich::fill(
@@ -1057,11 +1098,14 @@ impl Teller<'_> {
     }
 
     /// The part of the line between two points of a link at which a third one stands that lies on it.
-    fn ratio_on_line(&self, label: Label, base: [Label; 2]) -> Option<f64> {
+    fn ratio_on_line(&self, link: LinkId, label: Label, base: [Label; 2]) -> Option<f64> {
         /// By so much of the line's length may a point lie beside it for rounding.
         const BESIDE: f64 = 1e-9;
+        let mechanism = self.notation.mechanism();
+        let fixed = || mechanism.link(link).points.iter().copied().find(|point| mechanism.is_fixed(*point));
         let place = |label: Label| match label {
             Label::Image { point, .. } => self.at(point),
+            Label::Pole => self.at(fixed()?),
             _ => None,
         };
         let (at, from, to) = (place(label)?, place(base[0])?, place(base[1])?);
@@ -1174,7 +1218,41 @@ impl Teller<'_> {
             ("value", super::given::stated_with_unit(radius.value, n)),
             ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
         ];
-        Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&Rich::upright(words.centre_on_arc)))
+        let first = Rich::fill(words.strike_arc, &parts).up(" ");
+        let second = self.centre_of_slot(slide.guide.link, slide.guide.path).map(|(joint, [x, y])| {
+            let away = libm::hypot(x, y);
+            let mm = human::millimetres(away / self.construction.space.metres_per_mm);
+            let value = human::quantity(away, &n.scene.units.length);
+            let parts = [("centre", n.point(joint)), ("value", value), ("mm", mm)];
+            Rich::fill(words.centre_on_second_arc, &parts)
+        });
+        Some(first.then(&second.unwrap_or_else(|| Rich::upright(words.centre_on_arc))))
+    }
+
+    /// The joint at the origin of a link that carries a curved slot, where it stands already, and the own place of the slot's
+    /// centre, metres.
+    fn centre_of_slot(&self, link: LinkId, path: Path) -> Option<(PointId, [f64; 2])> {
+        let Path::Arc { centre: GuidePoint::Own(own), .. } = path else { return None };
+        let link = self.notation.mechanism().link(link);
+        let joint = link.points.iter().copied().find(|p| link.has_at_origin(*p) && !self.finds(*p))?;
+        Some((joint, own.map(|c| c.value)))
+    }
+
+    /// How the own line of a link stands against that to the centre of its curved slot.
+    fn angle_from_centre(&self, link: LinkId, base: PointId, point: PointId) -> Option<Rich> {
+        let n = self.notation;
+        let slides = n.mechanism().slides.iter().filter(|slide| slide.guide.link == link);
+        let (joint, [x, y]) =
+            slides.filter_map(|slide| self.centre_of_slot(link, slide.guide.path)).next()?;
+        let body = n.mechanism().link(link);
+        let own_axis = matches!(body.form, Form::Length(_)) && body.points.get(1) == Some(&point);
+        if joint != base || !own_axis {
+            return None;
+        }
+        let angle = -libm::atan2(y, x);
+        let told = human::degrees(angle.abs()).word(n.sense(angle));
+        let parts = [("line", n.length(base, point)), ("angle", told)];
+        Some(Rich::fill(n.words.from_centre_line, &parts))
     }
 
     /// Which guide is drawn, and the parallel to it on which the point lies that is found, where the guide leads another one.
@@ -1256,6 +1334,12 @@ impl Teller<'_> {
         }
         if let Some(arc) = self.arc_guide(index) {
             return arc;
+        }
+        if let Some((named, own, side)) = super::given::beside(index, n) {
+            let mm = human::millimetres(own / self.construction.space.metres_per_mm);
+            let value = super::given::stated_with_unit(own, n);
+            let parts = [("guide", named), ("offset", value), ("mm", mm), ("side", side)];
+            return Rich::fill(words.draw_guide_beside, &parts);
         }
         let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link == LinkId::FRAME);
         match slide.map(|slide| slide.guide.path) {
@@ -1494,6 +1578,8 @@ impl Teller<'_> {
                 told.push(n.claim(Claim::Parallel(Reference::Guide(slot))));
             } else if let Some(angle) = self.angle_from_slot(link, base, point) {
                 told.push(angle);
+            } else if let Some(angle) = self.angle_from_centre(link, base, point) {
+                told.push(angle);
             } else {
                 told.extend(self.line_of(link));
             }
@@ -1638,6 +1724,9 @@ impl Teller<'_> {
                 };
                 let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
                 comma(n.claim(claim), sense)
+            }
+            Claim::Perpendicular(Reference::Guide(_)) if vector.kind == VectorKind::Normal => {
+                Rich::upright(n.words.toward_centre)
             }
             // Its way was told with its size.
             _ if vector.kind == VectorKind::Coriolis && !n.claim(claim).is_empty() => n.claim(claim),
