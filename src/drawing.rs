@@ -323,6 +323,7 @@ pub(crate) fn with_what_is_missing(
             sheet::left_out(figure, &left.links, &why, language)
         }
     };
+    let figure = sheet::outgrown(figure, sheet::paper(scene), language);
     sheet::unnamed(figure, language)
 }
 

@@ -49,6 +49,7 @@ mod help;
 #[path = "ink/main.rs"]
 mod ink;
 mod klein;
+mod laid_off;
 mod legibility;
 #[path = "live/main.rs"]
 mod live;

@@ -120,6 +120,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let drawn = drawing::drawn(scene, &wish).map_err(impossible)?;
     let figure = drawn.figure;
+    if let Some([width, height]) = sheet::larger_paper(&figure, sheet::paper(scene)) {
+        let file = scene.source.file();
+        let line = format!("{file}: the stated scales need larger paper: {width:.0} × {height:.0} mm");
+        let _ = writeln!(io::stderr(), "{}", crate::terminal::lines(&line));
+    }
     let page = if pages {
         let first = languages.first().copied().unwrap_or_else(|| drawing::language(scene));
         let mut sheets = vec![(first, figure.clone())];

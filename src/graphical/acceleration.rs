@@ -181,10 +181,11 @@ impl Draughtsman<'_> {
         }
         for &(_, point) in &step.points {
             // Without Aᵗ the end of the normal part is the image itself.
-            let label = self.label(point);
+            let (label, begins) = (self.label(point), self.acts());
             let as_one = self.image_as_one(Order::Acceleration, link, base, point);
             let image = as_one.unwrap_or_else(|| self.lay_off_normal(link, point, base, label));
             let image = self.note_image(Order::Acceleration, point, image);
+            self.tell_turned(Order::Acceleration, link, (base, point), begins);
             self.whole_acceleration(point, base, image);
         }
     }
@@ -192,7 +193,7 @@ impl Draughtsman<'_> {
     /// Aⁿ and Aᵗ of each wanted point of a link whose ω and ε are known, about its base.
     pub(super) fn driven_accelerations(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
-            let image = self.acceleration_about(link, base, point);
+            let image = self.image_about_told(Order::Acceleration, link, base, point);
             let image = self.note_image(Order::Acceleration, point, image);
             self.whole_acceleration(point, base, image);
         }
@@ -229,6 +230,13 @@ impl Draughtsman<'_> {
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), from, head);
         self.act(Act::LayOffVector { vector, value: given.value().abs(), mm: mm.value().abs() });
         self.note_sliding_parts((first, slide), (from.1, image), false);
+        if !fixed {
+            let across = Claim::Perpendicular(Reference::Guide(slide));
+            let normal = (Quantity::SlipNormal(first, guide), across);
+            let parts = [(Quantity::Coriolis(first, guide), across), normal, (part, claim)];
+            let under = self.found_under(Order::Acceleration, first, guide);
+            self.known_sum(Order::Acceleration, (first, under), &parts, 0);
+        }
         if !(fixed && straight) {
             self.absolute_vector(Order::Acceleration, Quantity::Acceleration(first), head.0, image);
         }
@@ -384,7 +392,8 @@ impl Draughtsman<'_> {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
         let slip = self.motion(Order::Velocity).slidings[slide];
-        if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
+        let turns = !self.translates[guide.link.0];
+        if let (Some(slip), true) = (slip, turns) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
@@ -403,7 +412,8 @@ impl Draughtsman<'_> {
                 value: normal.value(),
             }));
             let kind = (VectorKind::Normal, quantity);
-            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, feet[1]));
+            let end = feet[usize::from(turns)];
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, end));
         }
         (label, at)
     }
@@ -500,7 +510,8 @@ impl Draughtsman<'_> {
     /// Feet of the sliding parts are named after the rider where the polygon is closed backwards from a
     /// pin, else after the guide's link.
     fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
-        self.solved_side(slide, back).map(|_| self.mechanism.slides[slide].guide.link)
+        let link = self.solved_side(slide, back).map(|_| self.mechanism.slides[slide].guide.link);
+        link.filter(|link| *link != LinkId::FRAME)
     }
 
     /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.

@@ -1124,13 +1124,30 @@ pub struct Step {
     pub acts: Vec<Act>,
 }
 
-/// A vector equation: one vector by two routes.
+/// A vector equation: one vector by two routes, or itself and a route of which all is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equation {
+    /// The step's act with which its drawing begins: it is told before what is drawn there.
+    pub begins: usize,
+    /// The vector itself, where it is sought by two routes and neither begins at the pole.
+    pub whole: Option<Term>,
     /// Left-hand side: parts of the vector by the first route.
     pub left: Vec<Term>,
     /// Right-hand side: the same vector by the second route.
     pub right: Vec<Term>,
+}
+
+impl Equation {
+    /// All its terms, in the order in which they are written.
+    pub fn terms(&self) -> impl Iterator<Item = &Term> {
+        self.whole.iter().chain(&self.left).chain(&self.right)
+    }
+
+    /// Whether a line of unknown length is drawn for it; else one side of it is laid off, and gives the other.
+    #[must_use]
+    pub fn has_unknowns(&self) -> bool {
+        self.left.iter().chain(&self.right).any(|term| term.magnitude.is_none() && term.direction.is_some())
+    }
 }
 
 /// One term of a vector equation, as the table of terms shows it.

@@ -118,6 +118,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) length_at: Vec<Vec<usize>>,
     /// To which images a vector leads from the pole.
     from_pole: HashSet<(Order, Label)>,
+    /// Of which links the steps of which polygon say that they do not turn.
+    told_to_translate: HashSet<(Order, LinkId)>,
     /// What is known of the motion, by order.
     motions: [Motion; 2],
     /// Which links cannot turn, whatever moves: the frame, and what slides on such links without turning.
@@ -263,6 +265,7 @@ impl<'m> Draughtsman<'m> {
             lengths: Vec::new(),
             length_at: vec![Vec::new(); links],
             from_pole: HashSet::new(),
+            told_to_translate: HashSet::new(),
             has_under: with_points_under(mechanism, structure),
             motions: [0, 1].map(|_| Motion {
                 images: vec![None; points],
@@ -460,6 +463,18 @@ impl<'m> Draughtsman<'m> {
         if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
             step.acts.push(act);
         }
+    }
+
+    /// Says once in the steps of a polygon that a link slides without turning.
+    pub(super) fn tell_translation(&mut self, order: Order, link: LinkId) {
+        if !self.silent && self.told_to_translate.insert((order, link)) {
+            self.act(Act::Calculate(Calculation::Translation { link }));
+        }
+    }
+
+    /// How many acts the present step has so far.
+    pub(super) fn acts(&self) -> usize {
+        self.record.steps.last().map_or(0, |step| step.acts.len())
     }
 
     /// Strikes the last act out.

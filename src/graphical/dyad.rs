@@ -68,7 +68,7 @@ impl Draughtsman<'_> {
             Unknown::Carried { .. } => 2,
             Unknown::Contact { .. } => 0,
             Unknown::Slide { slide, .. } => match self.mechanism.slides[slide].guide {
-                Guide { path: Path::Arc { .. }, .. } => 2,
+                Guide { path: Path::Arc { .. }, link } => 1 + u8::from(!self.translates[link.0]),
                 Guide { link, .. } => u8::from(!self.translates[link.0]),
             },
         };
@@ -584,7 +584,41 @@ impl Draughtsman<'_> {
             sides[if side.back { 1 - own } else { own }].extend(side.unknown);
         }
         let [left, right] = sides;
-        Equation { left, right }
+        Equation { begins: 0, whole: None, left, right }
+    }
+
+    /// V_C = V_A + V_CA = V_B + V_CB, of a further point by the routes from two points of its link.
+    fn corner_equation(
+        &mut self,
+        order: Order,
+        unknowns: [Unknown; 2],
+        point: PointId,
+        begins: usize,
+    ) -> Equation {
+        let about_frame = |unknown: &Unknown| matches!(unknown, Unknown::Turn { base, .. } if self.mechanism.is_fixed(*base));
+        let whole = (!unknowns.iter().any(about_frame)).then(|| sought_whole(order, point));
+        let sides = unknowns.map(|unknown| self.side_of(order, Target::Pin(point), unknown));
+        let [left, right] = sides.map(|side| side.known.into_iter().chain(side.unknown).collect());
+        Equation { begins, whole, left, right }
+    }
+
+    /// V_B = V_A + …, where all that leads from the image of one point to that of another was known, and laid off since an
+    /// act. Nothing is told of a part that was not laid off, nor of a sum of one.
+    pub(super) fn known_sum(
+        &mut self,
+        order: Order,
+        (point, first): (PointId, Term),
+        parts: &[(Quantity, Claim)],
+        begins: usize,
+    ) {
+        let laid = |&(quantity, claim): &(Quantity, Claim)| {
+            self.laid_off(order, quantity, TermDirection::Claim(claim))
+        };
+        let parts: Vec<Term> = parts.iter().filter_map(laid).collect();
+        if !parts.is_empty() {
+            let (whole, right) = (sought_whole(order, point), [first].into_iter().chain(parts).collect());
+            self.equation(Equation { begins, whole: None, left: vec![whole], right });
+        }
     }
 
     /// A vector of the diagram that is known by now.
@@ -598,7 +632,7 @@ impl Draughtsman<'_> {
         }
     }
 
-    fn found_image(&mut self, order: Order, point: PointId) -> Term {
+    pub(super) fn found_image(&mut self, order: Order, point: PointId) -> Term {
         let image = self.image(order, point);
         let quantity = match order {
             Order::Acceleration => Quantity::Acceleration(point),
@@ -607,7 +641,7 @@ impl Draughtsman<'_> {
         self.found(quantity, image, order)
     }
 
-    fn found_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Term {
+    pub(super) fn found_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Term {
         if self.mechanism.link(link).points.contains(&pin) {
             return self.found_image(order, pin);
         }
@@ -836,7 +870,7 @@ impl Draughtsman<'_> {
                 continue;
             }
             let image = match lead {
-                Some(Lead::Turning(base)) => self.image_about(order, link, base, point),
+                Some(Lead::Turning(base)) => self.image_about_told(order, link, base, point),
                 Some(Lead::Riding(pin)) => self.riding_image(order, link, pin, point),
                 Some(Lead::Image(base, pin)) => match self.straight_ratio(link, base, pin, point) {
                     Some(ratio) => self.divide_image(order, (base, pin), point, ratio),
@@ -867,6 +901,44 @@ impl Draughtsman<'_> {
         }
     }
 
+    /// The same with its equation, where that point moves.
+    pub(super) fn image_about_told(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        base: PointId,
+        point: PointId,
+    ) -> Point {
+        let begins = self.acts();
+        let image = self.image_about(order, link, base, point);
+        self.tell_turned(order, link, (base, point), begins);
+        image
+    }
+
+    /// V_C = V_A + V_CA, of a point of a link whose rotation is known about one that moves, laid off since an act.
+    pub(super) fn tell_turned(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        (base, point): (PointId, PointId),
+        begins: usize,
+    ) {
+        if self.mechanism.is_fixed(base) || !self.mechanism.link(link).points.contains(&point) {
+            return;
+        }
+        let line = Reference::Points(base, point);
+        let (along, across) = (Claim::Parallel(line), Claim::Perpendicular(line));
+        let parts = match order {
+            Order::Acceleration => vec![
+                (Quantity::RelativeNormal(point, base), along),
+                (Quantity::RelativeTangential(point, base), across),
+            ],
+            _ => vec![(Quantity::RelativeVelocity(point, base), across)],
+        };
+        let first = self.found_image(order, base);
+        self.known_sum(order, (point, first), &parts, begins);
+    }
+
     /// A corner of an image, by the lines from two known images, or where they cross too flat by the
     /// similar figure.
     fn corner_of_image(
@@ -879,11 +951,11 @@ impl Draughtsman<'_> {
         if !self.crosses_well(base, pin, point) {
             return self.similar_image(order, link, (base, pin), point);
         }
-        let mut index = 1;
-        let arms = [base, pin].map(|base| {
-            let turn = Unknown::Turn { link, base, to: point };
-            self.route(order, turn, Target::Pin(point), &mut index)
-        });
+        let (mut index, begins) = (1, self.acts());
+        let turns = [base, pin].map(|base| Unknown::Turn { link, base, to: point });
+        let arms = turns.map(|turn| self.route(order, turn, Target::Pin(point), &mut index));
+        let equation = self.corner_equation(order, turns, point, begins);
+        self.equation(equation);
         let reason = self.reason(&[link]);
         let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
         self.act(Act::MarkMeet { label: self.label(point), crossing: meet.crossing });
@@ -896,4 +968,13 @@ impl Draughtsman<'_> {
         }
         meet.at
     }
+}
+
+/// The vector from the pole to a point's image, of which nothing is known.
+fn sought_whole(order: Order, point: PointId) -> Term {
+    let quantity = match order {
+        Order::Acceleration => Quantity::Acceleration(point),
+        _ => Quantity::Velocity(point),
+    };
+    Term { quantity, magnitude: None, direction: None }
 }

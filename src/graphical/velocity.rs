@@ -178,11 +178,13 @@ impl Draughtsman<'_> {
     /// V = ω l of each wanted point of a link whose ω is known, about its base.
     pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
+            let begins = self.acts();
             let as_one = self.image_as_one(Order::Velocity, link, base, point);
             let image = as_one.unwrap_or_else(|| self.turned_about(link, base, point));
             let image = self.note_image(Order::Velocity, point, image);
             if as_one.is_none() {
                 self.note_turned(link, base, point, image);
+                self.tell_turned(Order::Velocity, link, (base, point), begins);
             }
             if !self.mechanism.is_fixed(base) {
                 let label = self.label(point);
@@ -231,6 +233,8 @@ impl Draughtsman<'_> {
         self.act(Act::LayOffVector { vector, value: speed.value().abs(), mm: mm.value().abs() });
         self.note_part(Quantity::Slip(first, guide), from, image);
         if !fixed {
+            let under = self.found_under(Order::Velocity, first, guide);
+            self.known_sum(Order::Velocity, (first, under), &[(quantity, claim)], 0);
             let label = self.label(first);
             self.absolute_vector(Order::Velocity, Quantity::Velocity(first), label, image);
         }
@@ -358,7 +362,7 @@ impl Draughtsman<'_> {
     pub(super) fn points_of_wheel(&mut self, order: Order, step: &GroupStep, wheel: LinkId, centre: PointId) {
         for &(of, point) in &step.points {
             if of == wheel {
-                let image = self.image_about(order, wheel, centre, point);
+                let image = self.image_about_told(order, wheel, centre, point);
                 let image = self.note_image(order, point, image);
                 self.absolute_of(order, point, image);
             }
@@ -687,7 +691,7 @@ impl Draughtsman<'_> {
                     rate = self.board.sum(rate, turn);
                 }
             } else if slide.guide.link == LinkId::FRAME && order == Order::Velocity {
-                self.act(Act::Calculate(Calculation::Translation { link: block }));
+                self.tell_translation(order, block);
             }
             self.set_rate(order, block, rate);
         }
@@ -743,6 +747,11 @@ impl Draughtsman<'_> {
             return known;
         }
         let image = match self.base_for(order, pin, link) {
+            Some(base) if self.translates[link.0] => {
+                self.tell_translation(order, link);
+                self.act(Act::SameImage { label: self.label_under(pin, link), with: self.label(base) });
+                self.image(order, base)
+            }
             Some(base) if order == Order::Acceleration => {
                 self.board.purpose("acceleration of a point under a pin");
                 self.acceleration_about(link, base, pin)
@@ -989,6 +998,7 @@ impl Draughtsman<'_> {
     pub(super) fn riding_image(&mut self, order: Order, link: LinkId, pin: PointId, point: PointId) -> Point {
         let from = self.image_under(order, pin, link);
         if self.translates[link.0] {
+            self.tell_translation(order, link);
             self.act(Act::SameImage {
                 label: self.label_under(point, link),
                 with: self.label_under(pin, link),

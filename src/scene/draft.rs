@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::InputUnits;
 use super::diagnostic::{Fault, Res};
 use super::json::{MOST, Value};
 use super::source::Anchors;
 use super::units::Scales;
+use super::{Gears, InputUnits};
 use crate::mechanism::force::Forces;
 use crate::mechanism::quantity::Unit;
 use crate::mechanism::{
@@ -19,6 +19,8 @@ pub(super) struct Draft<'s> {
     pub(super) mechanism: Mechanism,
     pub(super) anchors: Anchors,
     pub(super) input_units: Vec<InputUnits>,
+    /// The teeth of each rolling pair, where they stand for its radii.
+    pub(super) gears: Vec<Option<Gears>>,
     /// The unit in which the speed of a governor is stated.
     pub(super) spin_unit: Option<Unit>,
     /// The stated room of each placed point, metres; 0 where none is stated.
@@ -56,6 +58,7 @@ impl<'s> Draft<'s> {
             },
             anchors: Anchors::new(root),
             input_units: Vec::new(),
+            gears: Vec::new(),
             spin_unit: None,
             rooms: Vec::new(),
             settled: Vec::new(),

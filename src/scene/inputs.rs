@@ -6,7 +6,7 @@ use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::links::own_coordinates;
-use super::units::Measure;
+use super::units::{Measure, Scales};
 use crate::mechanism::quantity::Unit;
 use crate::mechanism::{Given, Input, LinkId, Place, PointId, Rider};
 
@@ -60,8 +60,8 @@ fn same_drive(one: &Input, other: &Input) -> bool {
 }
 
 /// An angle with the whole turns that were taken off when it was read.
-fn unreduced(value: &Value<'_>, draft: &Draft<'_>) -> Res<f64> {
-    let stated = draft.scales.stated(value, Measure::Angle, true, draft.scales.bare(Measure::Angle))?;
+pub(super) fn unreduced(value: &Value<'_>, scales: &Scales) -> Res<f64> {
+    let stated = scales.stated(value, Measure::Angle, true, scales.bare(Measure::Angle))?;
     let number: Option<f64> = match &value.kind {
         Kind::Number(digits) => digits.parse().ok(),
         Kind::Text(text) => text.split_whitespace().next().and_then(|n| n.parse().ok()),
@@ -88,7 +88,7 @@ fn units(fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<InputUnits> {
     };
     let speed = speed.map(|entry| unit(&entry.value, Measure::Velocity)).transpose()?;
     Ok(InputUnits {
-        angle: fields.get("angle").map(|angle| unreduced(angle, draft)).transpose()?,
+        angle: fields.get("angle").map(|angle| unreduced(angle, draft.scales)).transpose()?,
         rate: of("omega", Measure::AngularVelocity)?.or(of("velocity", Measure::Velocity)?).or(speed),
         second: of("alpha", Measure::AngularAcceleration)?.or(of("acceleration", Measure::Acceleration)?),
     })

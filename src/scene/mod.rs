@@ -28,6 +28,7 @@ mod tests;
 mod twice;
 pub(crate) mod units;
 mod vary;
+mod written;
 
 pub use asked::names_of_quantities;
 pub use diagnostic::{Diagnostic, nearest};
@@ -35,6 +36,7 @@ pub use schema::schema;
 pub use sheet::{input_place, paper_size};
 pub use source::{Source, Subject};
 pub use units::si_of;
+pub use written::Written;
 
 /// The unit of this scene in which a quantity is told where nobody says in which.
 pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
@@ -142,10 +144,11 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let sheet = sheet::read(fields.get("sheet"), &scales, &draft.mechanism)?;
     draft.anchors.vary = fields.get("vary").map(|value| value.at);
     let vary = vary::read(root, fields.get("vary"))?;
+    let written = Written::read(root, &scales);
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;
     rolls::name_contacts(&mut mechanism);
-    let (input_units, spin_unit) = (draft.input_units, draft.spin_unit);
+    let (input_units, spin_unit, gears) = (draft.input_units, draft.spin_unit, draft.gears);
     Ok(Scene {
         title,
         units: scales.units(),
@@ -154,6 +157,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
         errata,
         expect,
         input_units,
+        gears,
+        written,
         spin_unit,
         sheet,
         vary,
@@ -178,6 +183,10 @@ pub struct Scene {
     pub expect: Option<Refusal>,
     /// How the motion of each input is stated, by index of the input.
     pub input_units: Vec<InputUnits>,
+    /// The teeth of each rolling pair, where they stand for its radii; by index of the pair.
+    pub gears: Vec<Option<Gears>>,
+    /// In which units numbers are written.
+    pub written: Written,
     /// The unit in which the speed of a governor is stated, where it is.
     pub spin_unit: Option<Unit>,
     /// How to draw.
@@ -186,6 +195,15 @@ pub struct Scene {
     pub vary: Vec<Varied>,
     /// Where everything stands in the file.
     pub source: Source,
+}
+
+/// Teeth that stand for radii, as the scene states them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gears {
+    /// Their numbers: of both wheels, or of the one on a rack.
+    pub teeth: Vec<u32>,
+    /// Pitch diameter per tooth, metres.
+    pub module: f64,
 }
 
 /// A title, in one or more languages.

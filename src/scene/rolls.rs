@@ -1,5 +1,6 @@
 //! Rolling pairs and gear meshes.
 
+use super::Gears;
 use super::diagnostic::{Fault, Res};
 use super::draft::{Draft, is_straight};
 use super::guides::guide;
@@ -28,10 +29,22 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         } else {
             circles(&fields, bodies, draft)?
         };
+        let gears = gears(&fields, draft)?;
+        draft.gears.push(gears);
         draft.mechanism.rolls.push(roll);
         draft.anchors.rolls.push(item.at);
     }
     Ok(())
+}
+
+/// The teeth that stand for radii, as the scene states them; none where it states radii.
+fn gears(fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Option<Gears>> {
+    let (Some(teeth), Some(stated)) = (fields.get("teeth"), fields.get("module")) else { return Ok(None) };
+    let counts = match teeth.list("numbers of teeth") {
+        Ok(counts) => counts.iter().map(|count| count.whole("a number of teeth")).collect::<Res<_>>()?,
+        Err(_) => vec![teeth.whole("a number of teeth")?],
+    };
+    Ok(Some(Gears { teeth: counts, module: draft.scales.positive(stated, "the module")?.value }))
 }
 
 /// Reads the angles of pressure: as stated, or the usual one of teeth. Called when the scene has forces.

@@ -355,6 +355,11 @@ impl Scale {
         Unit { symbol: self.symbol.clone(), si: self.si() }
     }
 
+    /// What it measures.
+    pub(crate) fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
     /// SI units per unit.
     pub(crate) fn si(&self) -> f64 {
         self.numerator / self.denominator

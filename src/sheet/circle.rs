@@ -208,13 +208,38 @@ pub fn items(circle: &CircleDiagram, notation: &Notation<'_>) -> Vec<(Item, Opti
     let primary: Vec<&Centre> = circle.centres.iter().filter(|c| c.found.is_primary()).collect();
     all.push((Item::Sentence(Rich::fill(words.primary_centres, &[("centres", listed(&primary))])), Some(0)));
     for (index, centre) in circle.centres.iter().filter(|c| !c.found.is_primary()).enumerate() {
-        all.push((Item::Sentence(sentence(centre, notation)), Some(index + 1)));
+        let told = sentence(centre, notation);
+        let told = match crossing(circle, centre) {
+            Some(crossing) => super::steps::warned(told, crossing, notation),
+            None => told,
+        };
+        all.push((Item::Sentence(told), Some(index + 1)));
     }
     for stalled in &circle.stalled {
         let parts = [("centre", name(*stalled, notation))];
         all.push((Item::Sentence(Rich::fill(words.centre_stalled, &parts)), None));
     }
     all
+}
+
+/// The angle at which the two lines of centres cross that lead to a centre, 0 to π/2; none where that is at infinity, and
+/// where a line is told otherwise than by two centres.
+fn crossing(circle: &CircleDiagram, centre: &Centre) -> Option<f64> {
+    let (Found::Kennedy { lines }, CentrePlace::At(_)) = (centre.found, centre.place) else { return None };
+    let [i, j] = centre.links;
+    let direction = |line: CentreLine| -> Option<[f64; 2]> {
+        let CentreLine::Via(k) = line else { return None };
+        let ends = [crate::plan::chord(i, k), crate::plan::chord(k, j)];
+        match ends.map(|end| circle.centre(end).map(|centre| centre.place)) {
+            [Some(CentrePlace::At(a)), Some(CentrePlace::At(b))] => Some([b[0] - a[0], b[1] - a[1]]),
+            [Some(CentrePlace::Toward(way)), Some(CentrePlace::At(_))]
+            | [Some(CentrePlace::At(_)), Some(CentrePlace::Toward(way))] => Some(way),
+            _ => None,
+        }
+    };
+    let ([a, b], [c, d]) = (direction(lines[0])?, direction(lines[1])?);
+    let angle = libm::atan2((a * d - b * c).abs(), (a * c + b * d).abs());
+    (libm::hypot(a, b) > 0.0 && libm::hypot(c, d) > 0.0).then_some(angle)
 }
 
 /// (16)∞, (13).

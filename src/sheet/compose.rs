@@ -354,12 +354,10 @@ fn asked_curves(construction: &Construction, notation: &Notation<'_>) -> Option<
 /// The dimensioned skeleton with its caption, and the points whose places it gives.
 fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Block, Vec<PointId>) {
     let words = notation.words;
-    // "in in" is no English.
     let unit = match notation.scene.units.length.symbol.as_str() {
-        "in" => words.inches.to_owned(),
-        symbol => human::pretty(symbol),
+        "in" => Rich::upright(words.inches),
+        symbol => Rich::upright(human::pretty(symbol)),
     };
-    let unit = Rich::upright(unit);
     let scale = notation.length_scale(construction.space.metres_per_mm);
     let comma = format!("{}\u{2002}", words.comma.trim_end());
     let caption = Rich::upright(words.skeleton)

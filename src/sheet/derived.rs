@@ -185,9 +185,10 @@ impl Teller<'_> {
             (Quantity::Angle(_) | Quantity::Transmission(..), Answer::Scalar { value, .. }) => {
                 Some(is(&human::quantity(*value, &asked.unit)))
             }
-            (Quantity::Position(point), Answer::Vector { value, bound })
-                if !n.mechanism().is_fixed(point) =>
-            {
+            (Quantity::Position(point), Answer::Vector { .. }) if n.mechanism().is_fixed(point) => None,
+            // A centre that is seen from the pairs is a point of the figure.
+            (Quantity::Centre(i, j), Answer::Vector { .. }) if self.is_primary([i, j]) => None,
+            (Quantity::Position(_) | Quantity::Centre(..), Answer::Vector { value, bound }) => {
                 let part = |v: f64| human::number(if v.abs() <= *bound { 0.0 } else { v / asked.unit.si });
                 let [x, y] = value.map(part);
                 let pair = Rich::upright("(").then(&x).up(";\u{a0}").then(&y).up(")");
@@ -195,6 +196,12 @@ impl Teller<'_> {
             }
             _ => None,
         }
+    }
+
+    fn is_primary(&self, links: [LinkId; 2]) -> bool {
+        let circle = self.construction.circle.as_ref();
+        let centre = circle.and_then(|circle| circle.centre(crate::plan::chord(links[0], links[1])));
+        centre.is_some_and(|centre| centre.found.is_primary())
     }
 
     /// What follows from rates and vectors that were told.

@@ -19,9 +19,9 @@ const PAST: f64 = 1.3;
 /// Shorter dimensions have their arrowheads outside.
 const TIGHT: f64 = 3.2 * HEAD;
 /// Distances shorter than this on paper are not dimensioned.
-const SHORTEST: f64 = 1.5;
+pub(super) const SHORTEST: f64 = 1.5;
 /// Size of a dimension's text beside that of other labels.
-const TYPE: f64 = 0.95 * SMALL;
+pub(super) const TYPE: f64 = 0.95 * SMALL;
 
 /// Dimension lines that disturb more than this are left out; the given data name every dimension in words.
 const WORST: f64 = 75.0;
@@ -35,20 +35,27 @@ pub(super) struct Drawn {
     pub cost: f64,
     /// Its lines.
     pub ink: Group,
-    /// Its text.
-    pub text: Request,
+    /// Its text; none of a mark.
+    pub text: Option<Request>,
     /// The point whose place it gives along an axis, 0 level, 1 upright.
     pub places: Option<(PointId, usize)>,
 }
 
 /// A distance to be dimensioned.
-struct Distance {
+pub(super) struct Distance {
     from: Point,
     to: Point,
     /// A unit vector.
     along: Vec2,
     text: Rich,
     places: Option<(PointId, usize)>,
+}
+
+impl Distance {
+    /// Of two places along a direction.
+    pub(super) fn new(from: Point, to: Point, along: Vec2, text: Rich) -> Self {
+        Self { from, to, along, text, places: None }
+    }
 }
 
 /// A dimension line's place: both ends, and the points that they measure.
@@ -72,19 +79,27 @@ impl Artist<'_> {
         }
         self.wheel_radii(&mut all, &mut ink);
         self.bell_cranks(&mut all);
+        self.shapes(&mut all, &mut ink);
+        self.loci(&mut all, &mut ink);
+        self.guides(&mut all, &mut ink);
         all
     }
 
-    fn stated(&self, metres: f64) -> Rich {
+    pub(super) fn stated(&self, metres: f64) -> Rich {
         given::stated_length(metres, &self.notation)
     }
 
-    /// The stated lengths of links, each along its own line.
+    /// The stated lengths of links and the distances by which places are stated, each along its own line.
     fn link_lengths(&self) -> Vec<Distance> {
         let mechanism = self.notation.mechanism();
-        let dimensions =
-            mechanism.moving().flat_map(|l| given::dimensions(mechanism.link(l), &self.notation));
-        let drawn = dimensions.filter_map(|d| {
+        let mut dimensions: Vec<given::StatedLength> =
+            mechanism.moving().flat_map(|l| given::dimensions(mechanism.link(l), &self.notation)).collect();
+        for own in given::stated_distances(&self.notation) {
+            if !dimensions.iter().any(|other| other.is_between([own.from, own.to])) {
+                dimensions.push(own);
+            }
+        }
+        let drawn = dimensions.into_iter().filter_map(|d| {
             let (a, b) = (self.pose.place(d.from)?, self.pose.place(d.to)?);
             (a.distance(b) > SHORTEST).then(|| Distance {
                 from: a,
@@ -120,9 +135,14 @@ impl Artist<'_> {
                 }
             }
         }
-        for slide in mechanism.slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
-            let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } =
-                slide.guide.path
+        let guides = mechanism.slides.iter().map(|slide| (slide.guide, self.pose.rider(slide)));
+        let rails =
+            mechanism.rolls.iter().zip(&mechanism.contacts).filter_map(|(roll, contact)| match roll {
+                Roll::Line { guide, .. } => Some((*guide, self.pose.place(*contact))),
+                Roll::Circles { .. } => None,
+            });
+        for (guide, rider) in guides.chain(rails).filter(|(guide, _)| guide.link == LinkId::FRAME) {
+            let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } = guide.path
             else {
                 continue;
             };
@@ -139,7 +159,7 @@ impl Artist<'_> {
                 GuidePoint::Own(at) => Some(at.map(|c| c.value)),
                 GuidePoint::Point(p) => exact(p),
             };
-            let (Some(base), Some(rider)) = (base, self.pose.rider(slide)) else { continue };
+            let (Some(base), Some(rider)) = (base, rider) else { continue };
             let left = if axis == 1 { cos * offset.value } else { -sin * offset.value };
             let length = base[axis] + left - origin[axis];
             let along = if axis == 0 { level } else { upright };
@@ -158,7 +178,7 @@ impl Artist<'_> {
     }
 
     /// One dimension line where it disturbs least.
-    fn length(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles, distance: Distance) {
+    pub(super) fn length(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles, distance: Distance) {
         let Distance { from: a, to: b, along, text, places } = distance;
         let line = text.set(TYPE);
         let room = (line.ink.width() + 1.2, line.ink.height() + 1.2);
@@ -183,7 +203,7 @@ impl Artist<'_> {
         let [from, to] = span.ends;
         let mut request = Request::new(text, TYPE, Site::Along { from, to }, CLASS);
         request.leader = true;
-        all.push(Drawn { cost, ink: own, text: request, places });
+        all.push(Drawn { cost, ink: own, text: Some(request), places });
     }
 
     /// The points whose places these dimensions give whole: along both axes, but where they lie level with the first fixed
@@ -221,18 +241,20 @@ impl Artist<'_> {
 
     /// The radii of pitch circles: an arrow from the centre to the circle.
     fn wheel_radii(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles) {
-        let mut wheels: Vec<(PointId, f64)> = Vec::new();
-        for roll in &self.notation.mechanism().rolls {
+        let mut wheels: Vec<(PointId, f64, Option<u32>)> = Vec::new();
+        for (index, roll) in self.notation.mechanism().rolls.iter().enumerate() {
+            let gears = self.notation.scene.gears.get(index).and_then(Option::as_ref);
+            let teeth = |wheel: usize| gears.and_then(|gears| gears.teeth.get(wheel).copied());
             let own = match roll {
                 Roll::Circles { centres, radii, .. } => {
-                    vec![(centres[0], radii[0].value), (centres[1], radii[1].value)]
+                    [0, 1].map(|i| (centres[i], radii[i].value, teeth(i))).to_vec()
                 }
-                Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
+                Roll::Line { centre, radius, .. } => vec![(*centre, radius.value, teeth(0))],
             };
             wheels.extend(own);
         }
         wheels.dedup();
-        for (centre, radius) in wheels {
+        for (centre, radius, teeth) in wheels {
             let Some(at) = self.pose.place(centre) else { continue };
             let drawn = self.pose.paper(radius);
             if drawn < 2.0 * SHORTEST + HEAD {
@@ -251,9 +273,10 @@ impl Artist<'_> {
             own.mark(head(tip, (tip - from).normalize(), HEAD * 0.8));
             ink.extend(&own);
             let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
+            all.extend(teeth.map(|teeth| wheel_teeth(at, drawn, teeth)));
             let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, CLASS);
             request.leader = true;
-            all.push(Drawn { cost, ink: own, text: request, places: None });
+            all.push(Drawn { cost, ink: own, text: Some(request), places: None });
         }
     }
 
@@ -272,9 +295,21 @@ impl Artist<'_> {
             let text = human::degrees(angle.value.abs());
             let mut request = Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, CLASS);
             request.leader = true;
-            all.push(Drawn { cost: 0.0, ink: own, text: request, places: None });
+            all.push(Drawn { cost: 0.0, ink: own, text: Some(request), places: None });
         }
     }
+}
+
+/// The number of teeth of a wheel, outside of its pitch circle.
+fn wheel_teeth(at: Point, radius: f64, teeth: u32) -> Drawn {
+    let text = Rich::italic("z").up(&format!("\u{a0}=\u{a0}{teeth}"));
+    let site = |k: u32| {
+        let way = f64::from(k) * (std::f64::consts::TAU / 12.0);
+        Site::Around { at: on_circle(at, radius, way), radius: 0.5, toward: Some(way) }
+    };
+    let first = Request::new(text, TYPE, site(1), CLASS);
+    let request = (2..=12).fold(first, |request, k| request.or(site(k)));
+    Drawn { cost: 0.0, ink: Group::new("dimension"), text: Some(request), places: None }
 }
 
 /// A dimension line with its arrowheads and extension lines.
@@ -303,11 +338,11 @@ fn drawn(span: Span) -> Group {
 }
 
 /// Places along a stroke.
-fn walk(a: Point, b: Point, step: f64) -> impl Iterator<Item = Point> {
+pub(super) fn walk(a: Point, b: Point, step: f64) -> impl Iterator<Item = Point> {
     let pieces = (a.distance(b) / step).ceil().clamp(1.0, 400.0);
     (0..=pieces as usize).map(move |i| a.lerp(b, i as f64 / pieces))
 }
 
-fn touched(ink: &Obstacles, at: Point) -> f64 {
+pub(super) fn touched(ink: &Obstacles, at: Point) -> f64 {
     ink.cost_up_to(Rect::from_center_size(at, (1.0, 1.0)), 6.0).min(6.0)
 }

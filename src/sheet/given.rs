@@ -14,7 +14,7 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Measure, Order, Quantity, Unit};
-use crate::mechanism::statement::{Locus, Standing};
+use crate::mechanism::statement::{Locus, Standing, Statement};
 use crate::mechanism::{
     Direction, Form, GivenPoint, Guide, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId,
     Rider, Roll, Sense, Slide,
@@ -29,6 +29,40 @@ pub struct StatedLength {
     pub to: PointId,
     /// Metres.
     pub length: f64,
+}
+
+impl StatedLength {
+    /// Whether it is the distance of these points.
+    #[must_use]
+    pub fn is_between(&self, ends: [PointId; 2]) -> bool {
+        [[self.from, self.to], [self.to, self.from]].contains(&ends)
+    }
+}
+
+/// The distances by which a figure states places.
+pub(super) fn stated_distances(notation: &Notation<'_>) -> impl Iterator<Item = StatedLength> {
+    let mechanism = notation.mechanism();
+    let loci = |statement: &'_ Statement| statement.loci.map(|locus| (statement.point, locus));
+    let by_figure = mechanism.statements.iter().flat_map(loci).filter_map(|(to, locus)| match locus {
+        Locus::Circle { centre, radius } => Some(StatedLength { from: centre, to, length: radius.value }),
+        _ => None,
+    });
+    // How far a driven rider is from the point from which its places are counted.
+    let driven = mechanism.inputs.iter().filter_map(|input| {
+        let Input::Slide { slide, at: Some(at), .. } = input else { return None };
+        let slide = mechanism.slides.get(*slide)?;
+        let to = match slide.rider {
+            Rider::Pin { point, .. } => point,
+            Rider::Link { link, .. } => mechanism.link(link).points.first().copied()?,
+        };
+        match slide.guide.path {
+            Path::Straight { through: GuidePoint::Point(from), offset, .. } if offset.value == 0.0 => {
+                Some(StatedLength { from, to, length: at.value.abs() })
+            }
+            _ => None,
+        }
+    });
+    by_figure.chain(driven)
 }
 
 /// The stated dimensions of a link.
@@ -91,14 +125,16 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
         }
     }
     for statement in mechanism.statements.iter().filter(|s| s.standing != Standing::Driven) {
-        let told = statement.loci.iter().filter(|locus| !teller.is_guide_of(statement.point, locus));
+        let told = statement.loci.iter().filter(|locus| {
+            !teller.is_guide_of(statement.point, locus) && !teller.is_dimension_of(statement.point, locus)
+        });
         parts.extend(told.map(|locus| teller.locus(statement.point, locus)));
     }
     for (i, slide) in mechanism.slides.iter().enumerate() {
         parts.extend(teller.guide(i, slide));
     }
     for (index, roll) in mechanism.rolls.iter().enumerate() {
-        parts.push(teller.roll(roll));
+        parts.push(teller.roll(index, roll));
         parts.extend(teller.pressure(index));
     }
     parts.extend(teller.journals());
@@ -140,6 +176,70 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
         GuidePoint::Point(p) => notation.point(p),
         GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
     }
+}
+
+/// A straight guide of the frame that is offset from a place: its name, how far it lies beside the place, metres, and on which
+/// side.
+pub(super) fn beside(index: usize, notation: &Notation<'_>) -> Option<(Rich, f64, Rich)> {
+    let slide = notation.mechanism().slides.get(index)?;
+    let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } = slide.guide.path
+    else {
+        return None;
+    };
+    if offset.value == 0.0 || slide.guide.link != LinkId::FRAME {
+        return None;
+    }
+    let words = notation.words;
+    let own = angle.value + turned.value;
+    let guide = match notation.lie(index) {
+        Some(_) => notation.named_guide(index),
+        None => {
+            let parts = [("line", notation.named_guide(index)), ("angle", as_written(own, notation))];
+            Rich::fill(words.stated_ray, &parts)
+        }
+    };
+    Some((guide, offset.value.abs(), side(own, offset.value, place_of(through, notation), words)))
+}
+
+/// On which side of a place, or of a line, a line of this angle lies that is shifted to its left: above or below it, beside it
+/// where the line is upright.
+pub(super) fn side(along: f64, offset: f64, place: Rich, words: &Words) -> Rich {
+    let (sin, cos) = libm::sincos(along);
+    let upright = cos.abs() < ROUNDED;
+    let side = match (upright, cos * offset > 0.0, -sin * offset > 0.0) {
+        (false, true, _) => words.side_above,
+        (false, false, _) => words.side_below,
+        (true, _, true) => words.side_right,
+        (true, _, false) => words.side_left,
+    };
+    Rich::fill(side, &[("place", place)])
+}
+
+/// A stated angle in degrees, with its turns as it is written; one that is written in radians to a hundredth.
+pub(super) fn degrees(si: f64, notation: &Notation<'_>) -> Rich {
+    match notation.scene.written.angle_of(si) {
+        Some((own, true)) => human::hundredths_of_a_degree(own),
+        Some((own, false)) => human::degrees(own),
+        None => human::degrees(si),
+    }
+}
+
+/// The same as it is written: radians, with degrees beside them.
+pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
+    let told = degrees(si, notation);
+    match notation.scene.written.angle_of(si) {
+        Some((own, true)) => human::stated(own).up("\u{a0}rad\u{a0}(").then(&told).up(")"),
+        _ => told,
+    }
+}
+
+/// The line or the arc on which a figure states a point.
+pub(super) fn path_of(point: PointId, notation: &Notation<'_>) -> Option<Rich> {
+    let own = notation.mechanism().statements.iter().filter(|statement| statement.point == point);
+    own.flat_map(|statement| &statement.loci).find_map(|locus| match locus {
+        Locus::On(path) => Some(Teller { n: notation }.line_of(path)),
+        _ => None,
+    })
 }
 
 /// A stated length in the scene's unit, without the figures that only a calculation has.
@@ -208,19 +308,6 @@ fn own_unit(asked: &Asked, notation: &Notation<'_>) -> Option<String> {
     (asked.unit != found).then(|| asked.unit.symbol.clone())
 }
 
-/// On which side of a place a line of this angle lies that is shifted to its left: above or below it, beside it where the line
-/// is upright.
-pub(super) fn side_of(along: f64, offset: f64, words: &Words) -> &'static str {
-    let (sin, cos) = libm::sincos(along);
-    let [above, below, left, right] = words.sides;
-    match cos.abs() < ROUNDED {
-        true if sin * offset > 0.0 => left,
-        true => right,
-        false if cos * offset > 0.0 => above,
-        false => below,
-    }
-}
-
 /// Pascals are small: kPa or MPa in their place.
 pub(super) fn handy(unit: &Unit, si: f64) -> Unit {
     let larger = [("MPa", 1e6), ("kPa", 1e3)].into_iter().find(|(_, own)| si.abs() >= 0.1 * own);
@@ -272,6 +359,11 @@ impl Teller<'_> {
         self.place(x.value, y.value)
     }
 
+    /// A size in the unit in which it is written; where it is written in none, in the usual one.
+    fn written(&self, si: f64, usual: &Unit) -> Rich {
+        human::stated_quantity(si, &self.n.scene.written.unit_of(si, usual))
+    }
+
     fn number(&self, link: LinkId) -> Rich {
         Rich::upright(self.n.number(link))
     }
@@ -315,6 +407,14 @@ impl Teller<'_> {
         self.n.mechanism().slides.iter().any(|slide| slide.guide.path == *path && rides(slide))
     }
 
+    /// Whether a locus is a distance that a link's dimensions give.
+    fn is_dimension_of(&self, of: PointId, locus: &Locus) -> bool {
+        let Locus::Circle { centre, .. } = *locus else { return false };
+        let mechanism = self.n.mechanism();
+        let mut own = mechanism.moving().flat_map(|link| dimensions(mechanism.link(link), self.n));
+        own.any(|own| own.is_between([centre, of]))
+    }
+
     /// What is stated of a point's place.
     fn locus(&self, of: PointId, locus: &Locus) -> Rich {
         let words = self.n.words;
@@ -323,7 +423,7 @@ impl Teller<'_> {
                 self.equals(self.n.length(centre, of), &self.length(radius.value))
             }
             Locus::Ray { from, direction } => {
-                let angle = ("angle", human::degrees(direction.value));
+                let angle = ("angle", as_written(direction.value, self.n));
                 Rich::fill(words.stated_ray, &[("line", self.n.length(from, of)), angle])
             }
             Locus::Square { through, to: [from, to] } => {
@@ -334,12 +434,16 @@ impl Teller<'_> {
                 self.equals(Rich::upright("∠\u{a0}").then(&points), &human::degrees(angle.value.abs()))
             }
             Locus::On(path) => {
-                let slides = &self.n.mechanism().slides;
-                let guide = slides.iter().position(|slide| slide.guide.path == path);
-                let line = guide.map_or_else(|| self.path(&path), |slide| self.n.guide(slide));
+                let line = self.line_of(&path);
                 Rich::fill(words.stated_on, &[("point", self.n.point(of)), ("line", line)])
             }
         }
+    }
+
+    /// A line or an arc: by its name where it is a guide.
+    fn line_of(&self, path: &Path) -> Rich {
+        let guide = self.n.mechanism().slides.iter().position(|slide| slide.guide.path == *path);
+        guide.map_or_else(|| self.path(path), |slide| self.n.guide(slide))
     }
 
     /// A line or an arc that is no guide of a sliding pair.
@@ -395,19 +499,9 @@ impl Teller<'_> {
             Path::Straight { through, direction, turned, offset } => (through, direction, turned, offset),
         };
         let place = place_of(through, self.n);
-        if let (Direction::Angle(angle), false, true) = (direction, moving, offset.value != 0.0) {
-            let own = angle.value + turned.value;
-            let named =
-                self.n.lie(index).is_some() && (!self.drives(index) || self.led_from(index).is_some());
-            let parts = [
-                ("guide", if named { self.n.named_guide(index) } else { self.n.guide(index) }),
-                ("angle", human::degrees(own)),
-                ("value", self.length(offset.value.abs())),
-                ("side", Rich::upright(side_of(own, offset.value, words))),
-                ("place", place),
-            ];
-            let template = if named { words.given_guide_beside } else { words.given_guide_aside };
-            return Some(Rich::fill(template, &parts));
+        if let Some((guide, own, side)) = beside(index, self.n).filter(|_| !self.drives(index)) {
+            let parts = [("guide", guide), ("offset", self.length(own)), ("side", side)];
+            return Some(Rich::fill(words.given_guide_beside, &parts));
         }
         let told = match direction {
             // A rider that drives has a sense along its guide, which the angle tells.
@@ -418,7 +512,7 @@ impl Teller<'_> {
                 Rich::fill(words.given_guide_through, &[guide, ("place", place)])
             }
             Direction::Angle(angle) => {
-                let angle = ("angle", human::degrees(angle.value + turned.value));
+                let angle = ("angle", as_written(angle.value + turned.value, self.n));
                 let frame = slide.guide.link == LinkId::FRAME;
                 // A link that is nothing but a guide has no axes of its own.
                 let alone = matches!(self.n.mechanism().link(slide.guide.link).form, Form::Single)
@@ -524,6 +618,16 @@ impl Teller<'_> {
         told.then(|| [("place", place_of(through, self.n)), ("angle", angle)])
     }
 
+    /// From where places along a straight guide are counted.
+    fn counted_from(&self, index: usize) -> (&'static str, Rich) {
+        let path = self.n.mechanism().slides.get(index).map(|slide| slide.guide.path);
+        let place = match path {
+            Some(Path::Straight { through, .. }) => place_of(through, self.n),
+            _ => Rich::default(),
+        };
+        ("place", place)
+    }
+
     /// Whether the rider on this guide is driven along it.
     fn drives(&self, index: usize) -> bool {
         let along = |input: &Input| matches!(input, Input::Slide { slide, .. } if *slide == index);
@@ -536,40 +640,68 @@ impl Teller<'_> {
         Some(Rich::fill(self.n.words.given_pressure, &[("angle", human::degrees(angle.value))]))
     }
 
-    fn roll(&self, roll: &Roll) -> Rich {
-        let words = self.n.words;
+    /// The teeth of a rolling pair, where they are stated, and their module.
+    fn gears(&self, index: usize) -> Option<[(&'static str, Rich); 2]> {
+        let gears = self.n.scene.gears.get(index)?.as_ref()?;
+        let teeth: Vec<Rich> = gears.teeth.iter().map(|z| human::stated(f64::from(*z))).collect();
+        let teeth = Rich::join(&teeth, &Rich::upright(self.n.words.and));
+        Some([("teeth", teeth), ("module", self.length(gears.module))])
+    }
+
+    fn roll(&self, index: usize, roll: &Roll) -> Rich {
         match roll {
             Roll::Circles { links, radii, internal, .. } => {
-                let radii = radii.map(|r| self.length(r.value));
-                let template = if *internal { words.given_wheels_inside } else { words.given_wheels };
-                let radii = Rich::join(&radii, &Rich::upright(words.and));
-                let parts =
-                    [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
-                Rich::fill(template, &parts)
+                self.wheels(index, *links, radii.map(|radius| radius.value), *internal)
             }
             Roll::Line { guide, wheel, radius, .. } => {
-                let radius = ("radius", self.length(radius.value));
-                let wheel = ("wheel", self.number(*wheel));
-                if let (LinkId::FRAME, Path::Straight { through, direction, turned, offset }) =
-                    (guide.link, guide.path)
-                    && let Direction::Angle(angle) = direction
-                {
-                    let own = angle.value + turned.value;
-                    let angle = ("angle", human::degrees(own));
-                    let place = ("place", place_of(through, self.n));
-                    let level = libm::sin(own).abs() < ROUNDED;
-                    let template = if level { words.given_rail_level } else { words.given_rail };
-                    let told = Rich::fill(template, &[wheel, radius, place, angle]);
-                    let aside = [("offset", self.length(offset.value))];
-                    let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
-                    return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
-                }
-                let link = ("link", self.number(guide.link));
-                match self.line_of_rack(guide) {
-                    Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
-                    None => Rich::fill(words.given_rack, &[wheel, radius, link]),
+                let told = self.wheel_on_line(guide, *wheel, radius.value);
+                match self.gears(index) {
+                    Some(gears) => {
+                        let gears = Rich::fill(self.n.words.given_pinion, &gears);
+                        told.up("\u{a0}(").then(&gears).up(")")
+                    }
+                    None => told,
                 }
             }
+        }
+    }
+
+    /// Two wheels that roll on each other.
+    fn wheels(&self, index: usize, links: [LinkId; 2], radii: [f64; 2], internal: bool) -> Rich {
+        let words = self.n.words;
+        let radii = Rich::join(&radii.map(|radius| self.length(radius)), &Rich::upright(words.and));
+        let parts = [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
+        match (self.gears(index), internal) {
+            (Some(gears), false) => Rich::fill(words.given_gears, &[&parts[..], &gears].concat()),
+            (Some(gears), true) => Rich::fill(words.given_gears_inside, &[&parts[..], &gears].concat()),
+            (None, false) => Rich::fill(words.given_wheels, &parts),
+            (None, true) => Rich::fill(words.given_wheels_inside, &parts),
+        }
+    }
+
+    /// A wheel on a rail or a rack.
+    fn wheel_on_line(&self, guide: &Guide, wheel: LinkId, radius: f64) -> Rich {
+        let words = self.n.words;
+        let radius = ("radius", self.length(radius));
+        let wheel = ("wheel", self.number(wheel));
+        if let (LinkId::FRAME, Path::Straight { through, direction, turned, offset }) =
+            (guide.link, guide.path)
+            && let Direction::Angle(angle) = direction
+        {
+            let own = angle.value + turned.value;
+            let angle = ("angle", human::degrees(own));
+            let place = ("place", place_of(through, self.n));
+            let level = libm::sin(own).abs() < ROUNDED;
+            let template = if level { words.given_rail_level } else { words.given_rail };
+            let told = Rich::fill(template, &[wheel, radius, place, angle]);
+            let aside = [("offset", self.length(offset.value))];
+            let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
+            return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
+        }
+        let link = ("link", self.number(guide.link));
+        match self.line_of_rack(guide) {
+            Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
+            None => Rich::fill(words.given_rack, &[wheel, radius, link]),
         }
     }
 
@@ -596,11 +728,11 @@ impl Teller<'_> {
             match mass.heaviness {
                 Heaviness::Mass(kg) => {
                     let symbol = at(Rich::italic("M").sub(&number));
-                    parts.push(self.equals(symbol, &human::stated_quantity(kg.value, &units.mass)));
+                    parts.push(self.equals(symbol, &self.written(kg.value, &units.mass)));
                 }
                 Heaviness::Weight(weight) => {
                     let symbol = at(Rich::italic("W").sub(&number));
-                    parts.push(self.equals(symbol, &human::stated_quantity(weight.value, &units.force)));
+                    parts.push(self.equals(symbol, &self.written(weight.value, &units.force)));
                 }
                 Heaviness::None => {}
             }
@@ -612,13 +744,11 @@ impl Teller<'_> {
             match mass.inertia {
                 Inertia::Point => {}
                 Inertia::Central(value) => {
-                    parts.push(
-                        self.equals(inertia(None), &human::stated_quantity(value.value, &units.inertia)),
-                    );
+                    parts.push(self.equals(inertia(None), &self.written(value.value, &units.inertia)));
                 }
                 Inertia::About(point, value) => {
                     let symbol = inertia(Some(point));
-                    parts.push(self.equals(symbol, &human::stated_quantity(value.value, &units.inertia)));
+                    parts.push(self.equals(symbol, &self.written(value.value, &units.inertia)));
                 }
                 Inertia::Gyration(radius) => {
                     parts.push(self.equals(Rich::italic("ρ").sub(&number), &self.length(radius.value)));
@@ -633,7 +763,7 @@ impl Teller<'_> {
             let direction = forces.gravity.direction.value;
             let down = (direction - crate::mechanism::force::Gravity::DOWN.value).abs() < 1e-12;
             parts.push(match (forces.gravity.acts, down) {
-                (true, false) => told.up("\u{a0}∠\u{a0}").then(&human::degrees(direction)),
+                (true, false) => told.up("\u{a0}∠\u{a0}").then(&degrees(direction, self.n)),
                 (true, true) => told,
                 (false, _) => {
                     told.up("\u{a0}(").then(&Rich::upright(self.n.words.given_weights_rest)).up(")")
@@ -660,13 +790,13 @@ impl Teller<'_> {
             match spring.law {
                 SpringLaw::Stiffness { stiffness, free } => {
                     if let Size::Given(stiffness) = stiffness {
-                        let value = human::stated_quantity(stiffness.value, &units.stiffness);
+                        let value = self.written(stiffness.value, &units.stiffness);
                         parts.push(self.equals(symbol("K"), &value));
                     }
                     parts.push(self.equals(symbol("l"), &self.length(free.value)));
                 }
                 SpringLaw::Force(Size::Given(force)) => {
-                    parts.push(self.equals(symbol("F"), &human::stated_quantity(force.value, &units.force)));
+                    parts.push(self.equals(symbol("F"), &self.written(force.value, &units.force)));
                 }
                 SpringLaw::Force(_) => {}
             }
@@ -706,7 +836,7 @@ impl Teller<'_> {
                 told
             }
             SpringLaw::Force(Size::Given(torque)) => {
-                let value = human::stated_quantity(torque.value.abs(), &self.n.scene.units.torque);
+                let value = self.written(torque.value.abs(), &self.n.scene.units.torque);
                 vec![self.equals(symbol("T"), &value.word(self.n.sense(torque.value)))]
             }
             SpringLaw::Force(_) => Vec::new(),
@@ -764,12 +894,12 @@ impl Teller<'_> {
                 continue;
             }
             let places = ("places", Rich::join(&places, &Rich::upright(words.comma)));
-            all.push(match (&link.form, &link.points[..]) {
-                (Form::Length(_), [from, to, ..]) => {
-                    let parts = [places, ("from", self.n.point(*from)), ("line", self.n.length(*from, *to))];
+            all.push(match own_axis(link) {
+                Some([from, to]) => {
+                    let parts = [places, ("from", self.n.point(from)), ("line", self.n.length(from, to))];
                     Rich::fill(words.given_own_place, &parts)
                 }
-                _ => {
+                None => {
                     let link = ("link", Rich::upright(link.number.to_string()));
                     Rich::fill(words.given_shape, &[link, places])
                 }
@@ -796,12 +926,12 @@ impl Teller<'_> {
             Rich::upright("\u{a0}").then(&Rich::fill(words, &[("velocity", velocity)]))
         };
         let size = |size: Size, unit: &Unit| match size {
-            Size::Given(given) => human::stated_quantity(given.value, unit),
+            Size::Given(given) => self.written(given.value, unit),
             Size::Curve(curve) => of_curve(&mechanism.forces.curves[curve], unit),
             Size::Pressure { pressure, area } => {
                 let pressure = match pressure {
                     Pressure::Given(pressure) => {
-                        human::stated_quantity(pressure.value, &handy(&units.pressure, pressure.value))
+                        self.written(pressure.value, &handy(&units.pressure, pressure.value))
                     }
                     Pressure::Curve(curve) => {
                         let curve = &mechanism.forces.curves[curve];
@@ -837,7 +967,7 @@ impl Teller<'_> {
                     Size::Sought => name.word(self.n.words.given_sought),
                     // A sense, not a sign.
                     Size::Given(given) if with_motion.is_none() => {
-                        let value = human::stated_quantity(given.value.abs(), &units.torque);
+                        let value = self.written(given.value.abs(), &units.torque);
                         self.equals(name, &value.word(self.n.sense(given.value)))
                     }
                     _ => self.equals(name, &size(of, &units.torque)),
@@ -868,11 +998,11 @@ impl Teller<'_> {
                 let words = self.n.words;
                 match pointing {
                     Pointing::Own { link, angle } if link != LinkId::FRAME => {
-                        let parts = [("angle", human::degrees(angle.value)), ("link", self.number(link))];
+                        let parts = [("angle", degrees(angle.value, self.n)), ("link", self.number(link))];
                         told.then(&Rich::fill(words.given_to_own_axis, &parts))
                     }
                     Pointing::World(angle) | Pointing::Own { angle, .. } => {
-                        told.up("∠\u{a0}").then(&human::degrees(angle.value))
+                        told.up("∠\u{a0}").then(&degrees(angle.value, self.n))
                     }
                     Pointing::Between { from, to, turned } => {
                         let line = ("line", self.n.length(from, to));
@@ -938,7 +1068,7 @@ impl Teller<'_> {
         let second_unit = |usual: Unit| stated.and_then(|s| s.second.clone()).unwrap_or(usual);
         let angle = |link, angle: f64| {
             let angle = stated.and_then(|s| s.angle).unwrap_or(angle);
-            self.equals(self.n.symbol(Quantity::Angle(link), false), &human::degrees(angle))
+            self.equals(self.n.symbol(Quantity::Angle(link), false), &as_written(angle, self.n))
         };
         match input {
             Input::Angle { link, angle: at, omega, alpha } => {
@@ -979,7 +1109,9 @@ impl Teller<'_> {
                         Some(from) => {
                             Rich::fill(self.n.words.given_at_angle, &[&[point, distance], &from[..]].concat())
                         }
-                        None => Rich::fill(self.n.words.given_at, &[point, distance]),
+                        None => {
+                            Rich::fill(self.n.words.given_at, &[point, distance, self.counted_from(*slide)])
+                        }
                     });
                 }
                 if self.rests([velocity.value, acceleration.value]) {
@@ -1034,6 +1166,20 @@ impl Teller<'_> {
             Rider::Link { link, .. } => mechanism.links.get(link.0)?.points.first().copied(),
         }
     }
+}
+
+/// The points of a link between which its own x-axis runs from its origin, where its dimensions say so.
+fn own_axis(link: &Link) -> Option<[PointId; 2]> {
+    let origin = link.points.iter().copied().find(|point| link.has_at_origin(*point))?;
+    let to = match &link.form {
+        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } => link.points.get(1).copied(),
+        Form::Line(along) => {
+            let ahead = link.points.iter().zip(along).find(|(_, along)| along.value > 0.0);
+            ahead.map(|(point, _)| *point)
+        }
+        Form::Shape(_) | Form::Placed | Form::Single => None,
+    };
+    to.map(|to| [origin, to])
 }
 
 /// How the own line of a link lies against that of the points which lead its guide, where it slides without turning against

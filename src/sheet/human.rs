@@ -283,6 +283,13 @@ pub fn degrees(radians: f64) -> Rich {
     Rich::upright(text).up("°")
 }
 
+/// Degrees to a hundredth.
+#[must_use]
+pub fn hundredths_of_a_degree(radians: f64) -> Rich {
+    let text = fixed(radians.to_degrees(), 2);
+    Rich::upright(text.trim_end_matches('0').trim_end_matches('.')).up("°")
+}
+
 /// A number with its unit.
 #[must_use]
 pub fn with_unit(number: &Rich, symbol: &str) -> Rich {

@@ -54,6 +54,7 @@ pub mod scale;
 mod skeleton;
 mod slots;
 mod speeds;
+mod stated;
 mod statics;
 mod steps;
 mod table;
@@ -72,7 +73,7 @@ pub use compose::{
 pub use controlling::controlling_force;
 pub use figure::Figure;
 pub use overlay::{Fault, HandedIn, Own, OwnForce, Spot, overlay};
-pub use remark::{left_out, unconfirmed, unnamed};
+pub use remark::{larger_paper, left_out, outgrown, unconfirmed, unnamed};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 

@@ -210,6 +210,9 @@ impl<'a> Notation<'a> {
             Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
             Quantity::Slip(p, l) => letter(book.velocity).sub(&self.coincident(p, l)),
             Quantity::SlipAcceleration(p, l) => letter(book.acceleration).sub(&self.coincident(p, l)),
+            // On the frame a pin has no other velocity than along its guide.
+            Quantity::SlipNormal(p, LinkId::FRAME) => n(book.normal, self.index(p)),
+            Quantity::SlipTangential(p, LinkId::FRAME) => n(book.tangential, self.index(p)),
             Quantity::SlipNormal(p, l) => n(book.normal, self.coincident(p, l)),
             Quantity::SlipTangential(p, l) => n(book.tangential, self.coincident(p, l)),
             Quantity::Coriolis(p, l) => n(book.coriolis, self.coincident(p, l)),

@@ -243,6 +243,19 @@ impl<'a> Pose<'a> {
         }
     }
 
+    /// Where a point stands through which a guide of a link goes.
+    #[must_use]
+    pub fn stands(&self, link: LinkId, point: GuidePoint) -> Option<Point> {
+        self.guide_point(link, point, 0)
+    }
+
+    /// The own axes of a link: their origin and the unit vector along x.
+    #[must_use]
+    pub fn axes(&self, link: LinkId) -> Option<(Point, Vec2)> {
+        let frame = self.frame(link, 0)?;
+        Some((frame.origin, frame.x.normalize()))
+    }
+
     /// The axis about which the plane of a governor turns: a point of it and its direction.
     #[must_use]
     pub fn axis_of_rotation(&self) -> Option<(Point, Vec2)> {

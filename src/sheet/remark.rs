@@ -43,6 +43,26 @@ pub fn left_out(figure: Figure, links: &[u32], why: &str, language: Language) ->
     noted(figure, &Rich::fill(words.left_out, &[("links", links)]), ("left-out", why))
 }
 
+/// Width and height of the pages of a sheet, mm, where scales that its scene states make them larger than the paper that is
+/// asked for.
+#[must_use]
+pub fn larger_paper(figure: &Figure, (width, height): (f64, f64)) -> Option<[f64; 2]> {
+    /// As sizes of paper are rounded.
+    const ROUNDED: f64 = 0.5;
+    let pages = figure.pages().len();
+    let own = [figure.width, figure.height / pages.max(1) as f64];
+    (pages > 0 && (own[0] > width + ROUNDED || own[1] > height + ROUNDED)).then_some(own)
+}
+
+/// A sheet with the note that it needs such paper, where it does.
+#[must_use]
+pub fn outgrown(figure: Figure, paper: (f64, f64), language: Language) -> Figure {
+    let Some([width, height]) = larger_paper(&figure, paper) else { return figure };
+    let size = format!("{width:.0}\u{a0}×\u{a0}{height:.0}\u{a0}mm");
+    let text = Rich::fill(language.words().larger_paper, &[("size", Rich::upright(&size))]);
+    noted(figure, &text, ("paper", &size))
+}
+
 /// Names beyond which a note tells no more; all stand in its data.
 const MOST_TOLD: usize = 8;
 

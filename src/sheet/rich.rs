@@ -654,12 +654,13 @@ impl Setter {
                 let start = self.pen;
                 let small = SCRIPT * em;
                 let mut end = start;
-                let mut x = start + 0.04 * em;
+                // A superscript stands beside the hook of an f, not in it.
+                let mut x = start + (0.04 + self.lean()) * em;
                 for (text, face) in sup {
                     // Primes are raised in the font itself.
                     let prime = text.chars().all(|c| c == '′' || c == '″');
                     x = if prime {
-                        self.run(text, *face, em, x + (self.lean() - 0.09) * em, 0.0)
+                        self.run(text, *face, em, x - 0.09 * em, 0.0)
                     } else {
                         self.run(text, *face, small, x, -RAISE * em)
                     };
@@ -712,6 +713,14 @@ mod tests {
         let [_, n, ba] = &line.text.runs[..] else { panic!("{line:?}") };
         assert!((n.at.x - ba.at.x).abs() < 0.5 && n.at.y < 0.0 && ba.at.y > 0.0);
         assert_eq!(line.text.content(), "AnBA");
+    }
+
+    #[test]
+    fn a_superscript_keeps_clear_of_an_f() {
+        let line = Rich::italic("f").scripts("n", Face::Upright, "b").set(10.0);
+        let [f, n, _] = &line.text.runs[..] else { panic!("{line:?}") };
+        let hook = Face::Italic.ink("f", 10.0).unwrap().x1;
+        assert!(n.at.x - f.at.x >= hook, "{} {hook}", n.at.x - f.at.x);
     }
 
     #[test]

@@ -6,7 +6,6 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Moment, Pen, Shape, Tone, on_circle};
 use super::growth::Births;
-use super::human;
 use super::ink::{
     FINE, HEAD, LABEL, MOST_HATCHES, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head,
     hull, page,
@@ -21,7 +20,7 @@ use super::rich::Rich;
 use super::slots::Slot;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
-use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll, Slide};
+use crate::mechanism::{Form, Guide, Input, LinkId, PointId, Rider, Roll, Slide};
 
 /// Radius of a pin's circle.
 pub(super) const PIN: f64 = 1.1;
@@ -75,6 +74,11 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
     artist.links_and_joints(&mut group, false);
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
+    let (arrows, names) = artist.driven_velocities();
+    if !arrows.children.is_empty() {
+        group.group(arrows);
+    }
+    artist.labels.extend(names);
     if let Some((on, along)) = artist.pose.axis_of_rotation() {
         group.group(super::governor::axis(on, along, construction));
     }
@@ -91,7 +95,7 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
         let mut lines = Group::new("dimensions");
         for dimension in &dimensions {
             lines.group(dimension.ink.clone());
-            requests.push(dimension.text.clone());
+            requests.extend(dimension.text.clone());
         }
         whole.group(lines);
         let texts = place(&whole, &requests, None);
@@ -239,6 +243,8 @@ impl<'a> Artist<'a> {
         };
         artist.bars = artist.all_bars();
         artist.add_slots();
+        let more = [artist.rack_arms(), artist.tubes()].concat();
+        artist.bars.extend(more);
         artist
     }
 }
@@ -270,6 +276,7 @@ impl Artist<'_> {
         group.group(self.slides(false));
         group.group(self.links());
         group.group(self.rolls());
+        group.group(self.square_guides());
         if construction_lines {
             group.group(self.construction_lines());
         }
@@ -627,7 +634,17 @@ impl Artist<'_> {
                     own.mark(pitch_circle(centre, r));
                     if let Some((on, along)) = self.pose.track(*guide) {
                         let foot = on + along * (centre - on).dot(along);
-                        let (a, b) = (foot - along * (r + 5.0), foot + along * (r + 5.0));
+                        let mut ends = [-(r + 5.0), r + 5.0];
+                        if let Some((_, joint, end)) = self.rack_arm(*guide) {
+                            let reach = (end - foot).dot(along);
+                            ends = [ends[0].min(reach), ends[1].max(reach)];
+                            if joint.distance(end) > THIN {
+                                let arm =
+                                    Mark::stroke(Shape::Line(joint, end), Pen::solid(THICK)).class("bar");
+                                own.mark(arm);
+                            }
+                        }
+                        let [a, b] = ends.map(|end| foot + along * end);
                         own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("rack"));
                         own.mark(dot(foot, 0.6).class("tangency"));
                         if guide.link == LinkId::FRAME {
@@ -642,6 +659,30 @@ impl Artist<'_> {
             }
         }
         all
+    }
+
+    /// How a moving rack hangs on its link: from the joint nearest to its line to the foot there; of a joint on the line both
+    /// are that joint.
+    fn rack_arm(&self, guide: Guide) -> Option<(LinkId, Point, Point)> {
+        if guide.link == LinkId::FRAME {
+            return None;
+        }
+        let (on, along) = self.pose.track(guide)?;
+        let foot = |joint: Point| on + along * (joint - on).dot(along);
+        let joints = self.pose.places(guide.link).into_iter().map(|(_, joint)| (joint, foot(joint)));
+        let nearer = |a: (Point, Point), b: (Point, Point)| {
+            if b.0.distance(b.1) < a.0.distance(a.1) - THIN { b } else { a }
+        };
+        joints.reduce(nearer).map(|(joint, end)| (guide.link, joint, end))
+    }
+
+    /// The same as strokes that symbols keep away from.
+    fn rack_arms(&self) -> Vec<(LinkId, Point, Point)> {
+        let arms = self.notation.mechanism().rolls.iter().filter_map(|roll| match roll {
+            Roll::Line { guide, .. } => self.rack_arm(*guide),
+            Roll::Circles { .. } => None,
+        });
+        arms.filter(|(_, joint, end)| joint.distance(*end) > THIN).collect()
     }
 
     /// A piece of a fixed wheel's rim, hatched on the wheel's side, where least stands in the way.
@@ -746,7 +787,7 @@ impl Artist<'_> {
             let middle = on_circle(from, radius, turn / 2.0);
             let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
             let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
-            let text = text.then(&human::degrees(angle));
+            let text = text.then(&super::given::degrees(angle, &self.notation));
             let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
             let quarter = on_circle(from, radius, turn / 4.0);
             let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
@@ -941,6 +982,7 @@ impl Artist<'_> {
 
     fn number_links(&mut self) {
         let mut requests = Vec::new();
+        let sleeves: Vec<LinkId> = self.tubes().into_iter().map(|(link, ..)| link).collect();
         for link in self.notation.mechanism().moving() {
             let number = self.notation.number(link);
             let blocked = self.notation.mechanism().links[link.0].block;
@@ -950,6 +992,8 @@ impl Artist<'_> {
                 .filter(|(l, ..)| *l == link)
                 .max_by(|x, y| x.1.distance(x.2).total_cmp(&y.1.distance(y.2)));
             match longest {
+                // A block and a sleeve have their numbers already.
+                Some(_) if blocked || sleeves.contains(&link) => {}
                 Some((_, a, b)) => {
                     // A straight link with a middle joint is numbered on its longer piece.
                     let (from, to) = self.longest_piece(link, *a, *b);
@@ -959,13 +1003,6 @@ impl Artist<'_> {
                     }
                     requests.push(request.lived(self.born_link(link)));
                 }
-                // A sleeve has its number already.
-                None if self
-                    .notation
-                    .mechanism()
-                    .slides
-                    .iter()
-                    .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
                 // While the drawing grows, a link of which one joint is there is not there yet.
                 None if self.pose.places(link).len() < self.notation.mechanism().link(link).points.len() => {}
                 None if !blocked => {

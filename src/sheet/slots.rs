@@ -14,8 +14,10 @@ use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
 const SLEEVE: (f64, f64) = (5.2, 2.2);
 /// Where a cylinder begins and ends along its rod, from its pivot.
 const CYLINDER: (f64, f64) = (-6.5, 11.0);
-/// Where the piston stands in it.
+/// Where the piston of a rod stands in it that ends nowhere.
 const PISTON: f64 = 4.5;
+/// How far a cylinder reaches back beyond its piston.
+const STROKE: f64 = 4.0;
 /// Half length of the tangent under a pin in a curved slot.
 const TANGENT: f64 = 5.0;
 /// Half the angle of a step along a curved outline.
@@ -45,6 +47,17 @@ impl Slot {
             }
         }
     }
+}
+
+/// What a rod slides in, lengths along the rod from the joint about which it turns.
+#[derive(Debug, Clone, Copy)]
+struct Tube {
+    near: f64,
+    far: f64,
+    /// Where the rod ends.
+    end: f64,
+    /// Whether it ends in a piston.
+    piston: bool,
 }
 
 /// A Geneva wheel as it lies on the paper, lengths in millimetres.
@@ -276,11 +289,19 @@ impl Artist<'_> {
         // The radius of a curved slot, where its centre is on the paper.
         let window = self.window();
         for slide in &self.notation.mechanism().slides {
-            let Path::Arc { centre: GuidePoint::Point(centre), .. } = slide.guide.path else { continue };
-            let ends = self.pose.place(centre).zip(self.pose.rider(slide));
-            if let Some((centre, rider)) = ends.and_then(|(a, b)| part_inside(a, b, window)) {
+            let (Path::Arc { centre, .. }, Some(GuideLine::Arc { at: rider, centre: middle })) =
+                (slide.guide.path, self.pose.guide(slide))
+            else {
+                continue;
+            };
+            let born = self.born_rider(slide);
+            // A centre that no point marks has a dot of its own.
+            if matches!(centre, GuidePoint::Own(_)) && window.contains(middle) {
+                all.mark_lived(dot(middle, 0.5).class("centre"), born);
+            }
+            if let Some((centre, rider)) = part_inside(middle, rider, window) {
                 let axis = Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis");
-                all.mark_lived(axis, self.born_rider(slide));
+                all.mark_lived(axis, born);
             }
         }
         all
@@ -295,31 +316,52 @@ impl Artist<'_> {
         let Some((_, joint)) = self.pose.places(slide.guide.link).first().copied() else { return own };
         let born = self.born_guide(index);
         own = own.lived(born);
-        let middle = at + along * (joint - at).dot(along);
-        let way = if (middle - at).dot(along) < 0.0 { -along } else { along };
-        // A rod that ends on this side of the joint is a piston's, and the sleeve its cylinder, closed beyond.
-        let beyond = |p: Point| (p - middle).dot(way);
-        let runs_through = match slide.rider {
-            Rider::Link { link, .. } => self.pose.places(link).iter().any(|(_, p)| beyond(*p) > SLEEVE.0),
-            Rider::Pin { .. } => true,
-        };
-        let (near, far, end) = if runs_through {
-            (-SLEEVE.0, SLEEVE.0, SLEEVE.0 + 5.0)
-        } else {
-            (CYLINDER.0, CYLINDER.1, PISTON)
-        };
+        let (middle, way) = about(joint, at, along);
+        let Tube { near, far, end, piston } = self.tube(slide, middle, way);
         let size = (far - near) / 2.0;
         let tube = Shape::Polygon(turned_rect(middle + way * (near + size), along, size, SLEEVE.1));
         own.mark(Mark::outlined(tube, Pen::solid(THICK * 0.8), Tone::Paper).precise());
         let rod = Shape::Line(at, middle + way * end);
         own.mark(Mark::stroke(rod, Pen::solid(THICK)).class("bar"));
-        if !runs_through {
-            let piston = turned_rect(middle + way * (PISTON + 0.8), along, 0.8, SLEEVE.1 - 0.4);
+        if piston {
+            let piston = turned_rect(middle + way * (end + 0.8), along, 0.8, SLEEVE.1 - 0.4);
             own.mark(Mark::area(Shape::Polygon(piston), Tone::Ink).class("piston"));
         }
         let radius = libm::hypot(SLEEVE.0, SLEEVE.1) * 0.8;
         self.labels.push(ringed(&number, Site::Around { at: middle, radius, toward: None }).lived(born));
         own
+    }
+
+    /// The middle lines of what rods slide in about joints, by its link.
+    pub(super) fn tubes(&self) -> Vec<(LinkId, Point, Point)> {
+        let slides = self.notation.mechanism().slides.iter().filter(|slide| self.is_sleeve(slide));
+        let tubes = slides.filter_map(|slide| {
+            let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return None };
+            let (_, joint) = self.pose.places(slide.guide.link).first().copied()?;
+            let (middle, way) = about(joint, at, along);
+            let Tube { near, far, .. } = self.tube(slide, middle, way);
+            Some((slide.guide.link, middle + way * near, middle + way * far))
+        });
+        tubes.collect()
+    }
+
+    /// What a rod slides in about a joint, the rod coming from behind: a rod that runs on beyond it has a sleeve, one that ends
+    /// on this side is a piston's, and the sleeve its cylinder, closed beyond; it reaches back to the piston.
+    fn tube(&self, slide: &Slide, middle: Point, way: Vec2) -> Tube {
+        let through = Tube { near: -SLEEVE.0, far: SLEEVE.0, end: SLEEVE.0 + 5.0, piston: false };
+        let Rider::Link { link, .. } = slide.rider else { return through };
+        let ends = self.pose.places(link);
+        let tip = ends.iter().map(|(_, p)| (*p - middle).dot(way)).fold(f64::NEG_INFINITY, f64::max);
+        if tip > SLEEVE.0 {
+            return through;
+        }
+        let (near, far) = CYLINDER;
+        match ends.len() {
+            // Where it ends is stated nowhere.
+            ..2 => Tube { near, far, end: PISTON, piston: true },
+            _ if tip >= near + STROKE => Tube { near, far, end: tip, piston: true },
+            _ => Tube { near: tip - STROKE, far: SLEEVE.1, end: tip, piston: true },
+        }
     }
 
     /// The wheel of a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs,
@@ -409,6 +451,12 @@ impl Artist<'_> {
         }
         all
     }
+}
+
+/// The foot of a joint on the line of a rod, and the way there along it.
+fn about(joint: Point, at: Point, along: Vec2) -> (Point, Vec2) {
+    let middle = at + along * (joint - at).dot(along);
+    (middle, if (middle - at).dot(along) < 0.0 { -along } else { along })
 }
 
 /// Whether two strokes meet between their ends.

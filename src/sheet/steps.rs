@@ -1,6 +1,7 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
 use std::cell::RefCell;
+use std::ops::Range;
 
 use super::given::{StatedLength, dimensions};
 use super::human;
@@ -136,7 +137,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             }
             if let Act::MeasureLength { from, to, .. } = act {
                 let told = figures.borrow().has(Key::length([*from, *to]));
-                if own_coordinates_tell(notation, [*from, *to]) || told || measured.contains(&[*from, *to]) {
+                if is_given(notation, [*from, *to]) || told || measured.contains(&[*from, *to]) {
                     continue;
                 }
                 measured.push([*from, *to]);
@@ -260,6 +261,12 @@ fn tell_driven_slides(notation: &Notation<'_>, figures: &RefCell<Figures>) {
     }
 }
 
+/// Whether a distance is given: by the figure, or by a link's own coordinates.
+fn is_given(notation: &Notation<'_>, ends: [PointId; 2]) -> bool {
+    let by_figure = super::given::stated_distances(notation).any(|own| own.is_between(ends));
+    by_figure || own_coordinates_tell(notation, ends)
+}
+
 /// Whether a distance is that of a point which its link has by own coordinates, on the line from the first joint.
 fn own_coordinates_tell(notation: &Notation<'_>, [from, to]: [PointId; 2]) -> bool {
     let mechanism = notation.mechanism();
@@ -286,23 +293,43 @@ enum Part {
     Act(usize),
 }
 
-/// The order in which a step is told: what an equation takes as known is calculated before its table stands there.
+/// The order in which a step is told: what an equation takes as known is calculated before its table stands there, and the
+/// equation of a further point stands where its drawing begins.
 fn in_order(step: &Step) -> Vec<Part> {
+    let mut begins: Vec<usize> = step.equations.iter().map(|equation| equation.begins).collect();
+    begins.extend([0, step.acts.len()]);
+    begins.sort_unstable();
+    begins.dedup();
+    let mut all: Vec<Part> = Vec::new();
+    for pair in begins.windows(2) {
+        part_in_order(step, pair[0]..pair[1], &mut all);
+    }
+    all
+}
+
+/// The same of the acts from where some equations begin to where the next ones do.
+fn part_in_order(step: &Step, acts: Range<usize>, all: &mut Vec<Part>) {
+    let own: Vec<usize> =
+        (0..step.equations.len()).filter(|&i| step.equations[i].begins == acts.start).collect();
     let reckons = |act: &Act| matches!(act, Act::Calculate(_) | Act::MeasureLength { .. });
-    let meets = |act: &Act| matches!(act, Act::MarkMeet { .. } | Act::TryPolygon { .. });
-    // Before the first meeting nothing is calculated from what the step itself finds.
-    let found = step.acts.iter().position(meets).unwrap_or(step.acts.len());
-    let first = |index: &usize| !step.equations.is_empty() && *index < found && reckons(&step.acts[*index]);
-    let (early, late): (Vec<usize>, Vec<usize>) = (0..step.acts.len()).partition(first);
+    let seeks = own.iter().any(|&i| step.equations[i].has_unknowns());
+    // Before this nothing is calculated from what the step itself finds.
+    let finds = |act: &Act| match act {
+        Act::MarkMeet { .. } | Act::TryPolygon { .. } => true,
+        Act::ReadVector { .. } => !seeks,
+        _ => false,
+    };
+    let found = acts.clone().find(|&index| finds(&step.acts[index])).unwrap_or(acts.end);
+    let first = |index: &usize| !own.is_empty() && *index < found && reckons(&step.acts[*index]);
+    let (early, late): (Vec<usize>, Vec<usize>) = acts.partition(first);
     let takes = |equation: &Equation, index: usize| {
         let Act::Calculate(calculation) = &step.acts[index] else { return false };
-        let terms = || equation.left.iter().chain(&equation.right);
-        calculated(calculation).is_some_and(|(known, _)| terms().any(|term| term.quantity == known))
+        calculated(calculation).is_some_and(|(known, _)| equation.terms().any(|term| term.quantity == known))
     };
-    let mut all: Vec<Part> = early.into_iter().map(Part::Act).collect();
+    all.extend(early.into_iter().map(Part::Act));
     let mut waiting: Vec<(usize, Option<usize>)> = Vec::new();
-    for (i, equation) in step.equations.iter().enumerate() {
-        let last = late.iter().copied().filter(|index| takes(equation, *index)).max();
+    for i in own {
+        let last = late.iter().copied().filter(|index| takes(&step.equations[i], *index)).max();
         match last {
             None => all.push(Part::Equation(i)),
             Some(_) => waiting.push((i, last)),
@@ -313,7 +340,6 @@ fn in_order(step: &Step) -> Vec<Part> {
         let now = waiting.iter().filter(|(_, last)| *last == Some(index));
         all.extend(now.map(|(equation, _)| Part::Equation(*equation)));
     }
-    all
 }
 
 /// The vector whose magnitude a calculation gives, and against which point of its link.
@@ -515,8 +541,8 @@ impl Teller<'_> {
             gap: 2.2,
             flow: if words.right_to_left { Flow::LabelsRight } else { Flow::Rightward },
         };
-        let sides = [&equation.left, &equation.right];
-        for (side, terms) in sides.into_iter().enumerate() {
+        let sides = [equation.whole.as_slice(), &equation.left, &equation.right];
+        for (side, terms) in sides.into_iter().filter(|terms| !terms.is_empty()).enumerate() {
             // Coriolis is drawn early and written last.
             let coriolis = |t: &&Written| matches!(t.term.quantity, Quantity::Coriolis(..));
             let terms: Vec<Written> = terms.iter().flat_map(|term| self.written(term)).collect();
@@ -678,6 +704,36 @@ impl Teller<'_> {
         })
     }
 
+    /// What is read of two trial polygons for the proportion: how far the image that closes is from the first trial's, and the
+    /// second trial's from that.
+    fn read_of_trials(&self, driver: TrialDriver, order: Order) -> Option<Rich> {
+        let n = self.notation;
+        let point = self.step.acts.iter().find_map(|act| match act {
+            Act::TryPolygon { driver: own, closing, order: of, .. } if (*own, *of) == (driver, order) => {
+                match closing {
+                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. } => Some(*point),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })?;
+        let images = &self.construction.diagram(order.diagram())?.images;
+        let at = |wanted: Label| images.iter().find(|image| image.label == wanted).map(|image| image.at);
+        let own = images
+            .iter()
+            .map(|image| image.label)
+            .find(|label| matches!(label, Label::Image { point: of, link: None } if *of == point))?;
+        let [first, second] = [false, true].map(|second| Label::Trial { point, second });
+        let from = at(first)?;
+        let read = |end: Label| {
+            let to = at(end)?;
+            let mm = human::millimetres(libm::hypot(to[0] - from[0], to[1] - from[1]));
+            Some(n.image_line(first, end, order.diagram()).up("\u{a0}= ").then(&mm))
+        };
+        let list = n.list(&[read(own)?, read(second)?]);
+        Some(Rich::fill(n.words.measured_arms, &[("list", list)]))
+    }
+
     /// How a position is found by trial.
     fn try_position(&self, driver: TrialDriver, closing: &Closing) -> Option<Rich> {
         let n = self.notation;
@@ -786,21 +842,33 @@ impl Teller<'_> {
                     None => self.trial_value(*driver, *order, *rate),
                 };
                 let symbol = self.trial_symbol(*driver, *order)?;
-                Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)])
+                let told = Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)]);
+                match self.read_of_trials(*driver, *order) {
+                    Some(read) => read.up(" ").then(&told),
+                    None => told,
+                }
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,
-                &[("from", n.point(*from)), ("angle", human::degrees(*angle))],
+                &[("from", n.point(*from)), ("angle", super::given::degrees(*angle, n))],
             ),
             Act::DrawSquare { through, to: [from, to] } => {
                 Rich::fill(words.draw_square, &[("point", n.point(*through)), ("line", n.length(*from, *to))])
+            }
+            Act::DrawSeeing { ends: [from, to], angle }
+                if (angle.abs() - std::f64::consts::FRAC_PI_2).abs() < 1e-9 =>
+            {
+                Rich::fill(words.draw_on_diameter, &[("line", n.length(*from, *to))])
             }
             Act::DrawSeeing { ends: [from, to], angle } => Rich::fill(
                 words.draw_seeing,
                 &[("line", n.length(*from, *to)), ("angle", human::degrees(angle.abs()))],
             ),
-            Act::DrawPath { point } => Rich::fill(words.draw_path, &[("point", n.point(*point))]),
+            Act::DrawPath { point } => {
+                let line = super::given::path_of(*point, n)?;
+                Rich::fill(words.draw_path, &[("line", line), ("point", n.point(*point))])
+            }
             Act::LayOffLink { from, to, angle, length, .. }
             | Act::LayOffPlace { from, to, angle, length } => Rich::fill(
                 words.lay_off_link,
@@ -810,7 +878,7 @@ impl Teller<'_> {
                     ("length", n.length(*from, *to)),
                     ("value", metres([*from, *to], *length)),
                     ("mm", human::millimetres(length / per_mm)),
-                    ("angle", human::degrees(self.as_given(*angle))),
+                    ("angle", super::given::degrees(self.as_given(*angle), n)),
                 ],
             ),
             Act::StrikeArc { centre, to, radius } => self.arc_about([*centre, *to], *radius),
@@ -970,8 +1038,10 @@ impl Teller<'_> {
                     ],
                 )
             }
-            Act::CompleteImage { label, base, .. } if self.ratio_on_line(*label, *base).is_some() => {
-                let ratio = self.ratio_on_line(*label, *base)?;
+            Act::CompleteImage { label, link, base }
+                if self.ratio_on_line(*link, *label, *base).is_some() =>
+            {
+                let ratio = self.ratio_on_line(*link, *label, *base)?;
                 return self.act(&Act::DivideImage { label: *label, from: base[0], to: base[1], ratio });
             }
             Act::CompleteImage { label, link, base } => Rich::fill(
@@ -1029,11 +1099,14 @@ impl Teller<'_> {
     }
 
     /// The part of the line between two points of a link at which a third one stands that lies on it.
-    fn ratio_on_line(&self, label: Label, base: [Label; 2]) -> Option<f64> {
+    fn ratio_on_line(&self, link: LinkId, label: Label, base: [Label; 2]) -> Option<f64> {
         /// By so much of the line's length may a point lie beside it for rounding.
         const BESIDE: f64 = 1e-9;
+        let mechanism = self.notation.mechanism();
+        let fixed = || mechanism.link(link).points.iter().copied().find(|point| mechanism.is_fixed(*point));
         let place = |label: Label| match label {
             Label::Image { point, .. } => self.at(point),
+            Label::Pole => self.at(fixed()?),
             _ => None,
         };
         let (at, from, to) = (place(label)?, place(base[0])?, place(base[1])?);
@@ -1072,16 +1145,20 @@ impl Teller<'_> {
         Some(line.then(&value))
     }
 
+    /// Whether a length is nothing beside the mechanism.
+    fn is_nothing(&self, length: f64) -> bool {
+        /// As a scene rounds it.
+        const ROUNDED: f64 = 1e-9;
+        length.abs() <= ROUNDED * self.construction.space.size()
+    }
+
     /// A length that is laid off: as it is stated, or as it is read off what stands.
     fn length_as_told(&self, ends: [PointId; 2], si: f64) -> Rich {
         let n = self.notation;
-        let is_it = |own: StatedLength| {
-            [[own.from, own.to], [own.to, own.from]].contains(&ends)
-                && (own.length - si).abs() <= 1e-12 * si.abs()
-        };
+        let is_it = |own: StatedLength| own.is_between(ends) && (own.length - si).abs() <= 1e-12 * si.abs();
         let mechanism = n.mechanism();
         let own = |link| super::given::dimensions(mechanism.link(link), n);
-        if mechanism.moving().flat_map(own).any(is_it) {
+        if mechanism.moving().flat_map(own).chain(super::given::stated_distances(n)).any(is_it) {
             return super::given::stated_with_unit(si, n);
         }
         let unit = &n.scene.units.length;
@@ -1142,7 +1219,41 @@ impl Teller<'_> {
             ("value", super::given::stated_with_unit(radius.value, n)),
             ("mm", human::millimetres(radius.value / self.construction.space.metres_per_mm)),
         ];
-        Some(Rich::fill(words.strike_arc, &parts).up(" ").then(&Rich::upright(words.centre_on_arc)))
+        let first = Rich::fill(words.strike_arc, &parts).up(" ");
+        let second = self.centre_of_slot(slide.guide.link, slide.guide.path).map(|(joint, [x, y])| {
+            let away = libm::hypot(x, y);
+            let mm = human::millimetres(away / self.construction.space.metres_per_mm);
+            let value = human::quantity(away, &n.scene.units.length);
+            let parts = [("centre", n.point(joint)), ("value", value), ("mm", mm)];
+            Rich::fill(words.centre_on_second_arc, &parts)
+        });
+        Some(first.then(&second.unwrap_or_else(|| Rich::upright(words.centre_on_arc))))
+    }
+
+    /// The joint at the origin of a link that carries a curved slot, where it stands already, and the own place of the slot's
+    /// centre, metres.
+    fn centre_of_slot(&self, link: LinkId, path: Path) -> Option<(PointId, [f64; 2])> {
+        let Path::Arc { centre: GuidePoint::Own(own), .. } = path else { return None };
+        let link = self.notation.mechanism().link(link);
+        let joint = link.points.iter().copied().find(|p| link.has_at_origin(*p) && !self.finds(*p))?;
+        Some((joint, own.map(|c| c.value)))
+    }
+
+    /// How the own line of a link stands against that to the centre of its curved slot.
+    fn angle_from_centre(&self, link: LinkId, base: PointId, point: PointId) -> Option<Rich> {
+        let n = self.notation;
+        let slides = n.mechanism().slides.iter().filter(|slide| slide.guide.link == link);
+        let (joint, [x, y]) =
+            slides.filter_map(|slide| self.centre_of_slot(link, slide.guide.path)).next()?;
+        let body = n.mechanism().link(link);
+        let own_axis = matches!(body.form, Form::Length(_)) && body.points.get(1) == Some(&point);
+        if joint != base || !own_axis {
+            return None;
+        }
+        let angle = -libm::atan2(y, x);
+        let told = human::degrees(angle.abs()).word(n.sense(angle));
+        let parts = [("line", n.length(base, point)), ("angle", told)];
+        Some(Rich::fill(n.words.from_centre_line, &parts))
     }
 
     /// Which guide is drawn, and the parallel to it on which the point lies that is found, where the guide leads another one.
@@ -1225,6 +1336,12 @@ impl Teller<'_> {
         if let Some(arc) = self.arc_guide(index) {
             return arc;
         }
+        if let Some((named, own, side)) = super::given::beside(index, n) {
+            let mm = human::millimetres(own / self.construction.space.metres_per_mm);
+            let value = super::given::stated_with_unit(own, n);
+            let parts = [("guide", named), ("offset", value), ("mm", mm), ("side", side)];
+            return Rich::fill(words.draw_guide_beside, &parts);
+        }
         let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link == LinkId::FRAME);
         let Some(Path::Straight { through, direction, turned, offset }) = slide.map(|slide| slide.guide.path)
         else {
@@ -1244,34 +1361,32 @@ impl Teller<'_> {
                 libm::atan2(to[1] - from[1], to[0] - from[0]) + turned.value
             }
         };
-        let angle = ("angle", human::degrees(own));
         let line = match (direction, through) {
             (Direction::Toward(target), GuidePoint::Point(from)) if turned.value == 0.0 => {
-                Some(("line", n.length(from, target)))
+                Some(n.length(from, target))
             }
             _ => None,
         };
-        let named = n.lie(index).is_some();
-        if offset.value == 0.0 {
-            return match line {
-                _ if named => Rich::fill(words.draw_guide_through, &[guide(), place]),
-                Some(line) => Rich::fill(words.draw_guide_along, &[guide(), line]),
-                None => Rich::fill(words.draw_guide_at, &[guide(), place, angle]),
-            };
-        }
-        let aside = offset.value.abs();
-        let parts = [
-            guide(),
-            place,
-            angle,
-            ("side", Rich::upright(super::given::side_of(own, offset.value, words))),
-            ("value", super::given::stated_with_unit(aside, n)),
-            ("mm", human::millimetres(aside / self.construction.space.metres_per_mm)),
-        ];
         match line {
-            _ if named => Rich::fill(words.draw_guide_beside, &parts),
-            Some(line) => Rich::fill(words.draw_guide_parallel, &[&parts[..], &[line]].concat()),
-            None => Rich::fill(words.draw_guide_aside, &parts),
+            _ if n.lie(index).is_some() => Rich::fill(words.draw_guide_through, &[guide(), place]),
+            Some(line) if offset.value == 0.0 => {
+                Rich::fill(words.draw_guide_along, &[guide(), ("line", line)])
+            }
+            Some(line) => {
+                let aside = offset.value.abs();
+                let parts = [
+                    guide(),
+                    ("line", line.clone()),
+                    ("offset", super::given::stated_with_unit(aside, n)),
+                    ("mm", human::millimetres(aside / self.construction.space.metres_per_mm)),
+                    ("side", super::given::side(own, offset.value, line, words)),
+                ];
+                Rich::fill(words.draw_guide_parallel, &parts)
+            }
+            None if offset.value == 0.0 => {
+                Rich::fill(words.draw_guide_at, &[guide(), place, ("angle", human::degrees(own))])
+            }
+            None => Rich::fill(words.draw_guide, &[guide()]),
         }
     }
 
@@ -1492,6 +1607,8 @@ impl Teller<'_> {
                 told.push(n.claim(Claim::Parallel(Reference::Guide(slot))));
             } else if let Some(angle) = self.angle_from_slot(link, base, point) {
                 told.push(angle);
+            } else if let Some(angle) = self.angle_from_centre(link, base, point) {
+                told.push(angle);
             } else {
                 told.extend(self.line_of(link));
             }
@@ -1637,6 +1754,9 @@ impl Teller<'_> {
                 let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
                 comma(n.claim(claim), sense)
             }
+            Claim::Perpendicular(Reference::Guide(_)) if vector.kind == VectorKind::Normal => {
+                Rich::upright(n.words.toward_centre)
+            }
             // Its way was told with its size.
             _ if vector.kind == VectorKind::Coriolis && !n.claim(claim).is_empty() => n.claim(claim),
             _ => comma(n.claim(claim), self.way_of(vector)),
@@ -1747,6 +1867,8 @@ impl Teller<'_> {
                     n.with_sense(human::with_unit(&result, &w.symbol), *value),
                 )
             }
+            // At a joint nothing turns about it: no line leads from the one to the other.
+            Calculation::Normal { length: l, .. } if self.is_nothing(*l) => return None,
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
                 let factors = [seen(*velocity, ends[0], *speed, &v), between(*ends, *l)];
                 let ([read, size], result) =

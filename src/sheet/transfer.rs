@@ -416,6 +416,7 @@ pub fn items(
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
                 told.push(act);
+                all.extend(teller.measured(act).into_iter().map(Item::Sentence));
                 all.push(Item::Sentence(teller.sentence(act)));
             }
         }
@@ -490,6 +491,45 @@ impl Teller<'_> {
             ("length", human::with_unit(&length, &unit.symbol)),
             ("value", human::with_unit(&value, &v.symbol)),
         ]
+    }
+
+    /// The distances from poles that a line is about to use and nobody has measured yet.
+    fn measured(&self, act: &TransferAct) -> Vec<Rich> {
+        let all = match *act {
+            TransferAct::Ratio { input, link, mm, .. } => {
+                let common = Spot::Centre(chord(input, link));
+                vec![(input, common, mm[0]), (link, common, mm[1])]
+            }
+            TransferAct::CommonSpeed { links: [i, k], of, mm, .. } => {
+                vec![(of, Spot::Centre(chord(i, k)), mm)]
+            }
+            TransferAct::AboutPole { link, point, mm, .. } => {
+                let own = self.notation.mechanism().link(link).points.contains(&point);
+                vec![(link, if own { Spot::Point(point) } else { Spot::Under(point, link) }, mm)]
+            }
+            TransferAct::Omega { link, spot, mm, .. } => vec![(link, spot, mm)],
+            _ => Vec::new(),
+        };
+        all.into_iter().filter_map(|(link, spot, mm)| self.measured_radius(link, spot, mm)).collect()
+    }
+
+    fn measured_radius(&self, link: LinkId, spot: Spot, mm: f64) -> Option<Rich> {
+        let unit = &self.notation.scene.units.length;
+        let (key, metres, _) = self.radius(link, spot, mm, unit);
+        if self.figures.borrow().has(key) {
+            return None;
+        }
+        let (factor, exact) = (self.metres_per_mm / unit.si, metres / unit.si);
+        let more = self.figures.borrow().more(key).min(1);
+        let (mm, value, written) = human::reading_at(mm.abs(), factor, exact, more);
+        self.figures.borrow_mut().note(key, &value, (written, exact), unit);
+        let end = match spot {
+            Spot::Under(point, _) => spot_name(Spot::Point(point), self.notation),
+            Spot::Point(_) | Spot::Centre(_) => spot_name(spot, self.notation),
+        };
+        let length = distance(chord(LinkId::FRAME, link), &end, self.notation);
+        let value = human::with_unit(&value, &unit.symbol);
+        Some(super::steps::measured_length(length, [mm, value], self.metres_per_mm, self.notation))
     }
 
     fn sentence(&self, act: &TransferAct) -> Rich {
