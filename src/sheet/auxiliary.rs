@@ -440,7 +440,7 @@ impl Teller<'_> {
                     ("image", image(label(crank.crank_pin), DiagramKind::Velocity)),
                     ("velocity", n.symbol(Quantity::Velocity(crank.crank_pin), false)),
                     ("omega", omega(crank.crank)),
-                    ("rate", self.rate(crank.crank, rate)),
+                    ("rate", self.rate_of_scale(crank.crank, rate)),
                     ("scale", self.scale(velocity, Dimension::Velocity)),
                 ];
                 let mut text = Rich::fill(words.klein_crank, &parts);
@@ -975,6 +975,12 @@ impl Teller<'_> {
         let unit = n.angular_unit(Order::Velocity);
         let told = self.figures.borrow_mut().tell(Key::of(quantity, n), omega, &unit);
         n.with_sense(human::with_unit(&told, &unit.symbol), omega)
+    }
+
+    /// The same of a rate from which a scale follows: it has the figures of the scale.
+    fn rate_of_scale(&self, link: LinkId, omega: f64) -> Rich {
+        self.figures.borrow_mut().want_for_scale(Key::of(Quantity::Omega(link), self.notation));
+        self.rate(link, omega)
     }
 
     /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.

@@ -130,6 +130,10 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         ways.push((Some(&slow), Some(&fast)));
     }
     ways.push((None, Some(&whole)));
+    // Or below the skeleton, before the other panels.
+    if !fits(&whole) && !whole.rows.is_empty() && whole.rows.len() <= whole.rows_in(TALLEST_BESIDE) {
+        ways.push((Some(&whole), None));
+    }
     let drawn: Vec<Block> = drawn.into_iter().map(|(_, block)| block).collect();
     let set = |(first, rest): (Option<&Table>, Option<&Table>), tight: f64, held: usize| {
         // Beside the skeleton, which is the first of them.

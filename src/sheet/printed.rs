@@ -245,6 +245,15 @@ impl Figures {
         }
     }
 
+    /// Asks for more figures of a number, unless it stands there to the fifth, in which scales are told.
+    pub(super) fn want_for_scale(&mut self, key: Key) {
+        /// Half a unit of a fifth figure.
+        const ROUNDED: f64 = 5e-5;
+        if self.printed.get(&key).is_some_and(|print| (print.number / print.exact - 1.0).abs() > ROUNDED) {
+            self.want(key);
+        }
+    }
+
     /// A number that is another one, too: it stands there as that does.
     pub(super) fn alias(&mut self, key: Key, of: Key) {
         if let Some(more) = self.finer.get(&key).copied() {
