@@ -113,6 +113,70 @@ fn a_rider_turns_with_a_carrier_that_rests_at_the_start() {
     }
 }
 
+/// A column of a sweep at a place, SI units.
+fn swept(sweep: &Sweep, name: &str, at: f64) -> Vec<f64> {
+    let row = sweep.at(at).unwrap();
+    let column = sweep.columns.iter().zip(&row).filter(|(column, _)| column.asked.name == name);
+    column.map(|(_, found)| found.unwrap().value).collect()
+}
+
+/// A lever that lies on a rolling wheel, led by the wheel alone: what it turns by is no angle of the line to the wheel's
+/// centre, for the wheel runs along it. φ of the lever is the angle of O1E less asin(r / O1E), and the wheel has turned by
+/// that and by what it has rolled.
+#[test]
+fn a_wheel_that_leads_a_lever_turns_as_it_rolls() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O1": [0, 0], "Q": [100, -140] },
+        "placed": { "B": [150, 0], "E": [60, 10], "F": [80, 10] },
+        "links": { "2": { "joins": ["O1", "B"] }, "8": { "joins": ["Q", "E"] }, "5": { "joins": ["E", "F"] } },
+        "rolls": [ { "links": [2, 5], "line": { "link": 2, "through": [0, 0], "angle": 0 }, "centre": "E",
+                     "radius": 10 } ],
+        "input": { "link": 8, "omega": 1 }, "find": ["angle(5)", "x(F)"] }"#;
+    let start = libm::atan2(150.0, -40.0);
+    let sweep = Sweep::new(&common::read(text).mechanism, Some([start - 0.3, start + 0.3])).unwrap();
+    let (arm, r) = (libm::hypot(150.0, 40.0), 10.0);
+    let lever = |[x, y]: [f64; 2]| {
+        let far = libm::hypot(x, y);
+        (libm::atan2(y, x) - libm::asin(r / far), (far * far - r * r).sqrt())
+    };
+    let began = lever([60.0, 10.0]);
+    for by in [-0.25, -0.1, 0.0, 0.1, 0.25] {
+        let (sin, cos) = libm::sincos(start + by);
+        let centre = [100.0 + arm * cos, arm * sin - 140.0];
+        let now = lever(centre);
+        let turned = now.0 - began.0 - (now.1 - began.1) / r;
+        is_near(swept(&sweep, "angle(5)", start + by)[0], turned);
+        let (sin, cos) = libm::sincos(turned);
+        let place = [centre[0] + 20.0 * cos, centre[1] + 20.0 * sin];
+        for (found, place) in swept(&sweep, "x(F)", start + by).into_iter().zip(place) {
+            is_near(found, place / 1000.0);
+        }
+    }
+}
+
+/// A wheel of one joint that carries a line on which another one rolls: the line turns with the wheel, and its angle is
+/// asked for. F is 40 mm beside the wheel's axis and on the arc of its arm about O7.
+#[test]
+fn a_line_on_a_wheel_of_one_joint_turns_with_it() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [40, 0], "O7": [120, 0] },
+        "placed": { "A": [0, 15], "F": [60, 40] },
+        "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4"] }, "7": { "joins": ["O7", "F"] },
+                   "8": { "joins": ["F"] } },
+        "rolls": [ { "links": [2, 4], "centres": ["O2", "O4"], "radii": [20, 20] },
+                   { "links": [4, 8], "line": { "link": 4, "through": "O4", "offset": 30 }, "centre": "F",
+                     "radius": 10 } ],
+        "input": { "link": 2, "omega": 1 }, "find": ["angle(4)", "x(F)"] }"#;
+    let sweep = Sweep::new(&common::read(text).mechanism, Some([PI / 2.0 - 0.1, PI / 2.0 + 0.1])).unwrap();
+    for by in [-0.09, -0.04, 0.0, 0.05, 0.08] {
+        is_near(swept(&sweep, "angle(4)", PI / 2.0 + by)[0], -by);
+        let (sin, cos) = libm::sincos(-by);
+        let along = 80.0 * cos - (5200.0 - (40.0 + 80.0 * sin) * (40.0 + 80.0 * sin)).sqrt();
+        let place = [40.0 + along * cos - 40.0 * sin, along * sin + 40.0 * cos];
+        for (found, place) in swept(&sweep, "x(F)", PI / 2.0 + by).into_iter().zip(place) {
+            is_near(found, place / 1000.0);
+        }
+    }
+}
+
 /// The stroke is found wherever in it the scene stands, at its very ends too, and over time as well.
 #[test]
 fn a_stroke_is_found_from_every_start() {

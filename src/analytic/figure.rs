@@ -14,7 +14,8 @@ use crate::mechanism::{Direction, Given, GivenPoint, GuidePoint, Mechanism, Path
 
 /// A stated place may differ from a given dimension or guide by this part of the mechanism's size.
 const ROUNDING: f64 = 1e-6;
-/// A bound of first order holds where what is left out is this part of it at most.
+/// A bound of first order holds where what is left out is this part of it at most: where the angle at which two curves cross
+/// is known to this part.
 const CURVED: f64 = 0.125;
 /// The bound of first order is doubled for what is left out.
 const SAFETY: f64 = 2.0;
@@ -425,7 +426,9 @@ impl Figure<'_> {
         let errors = [curves[0].error_at(at) + a.abs(), curves[1].error_at(at) + b.abs()];
         let first_order = (errors[0] + errors[1]) / sine;
         let curvature = curves[0].curvature() + curves[1].curvature();
-        let fine = first_order.is_finite() && first_order * curvature / sine <= CURVED;
+        // So much may the angle be another at which they cross.
+        let turned = first_order * curvature + curves[0].swing + curves[1].swing;
+        let fine = first_order.is_finite() && turned / sine <= CURVED;
         fine.then_some(Spot { at, error: SAFETY * first_order })
     }
 }

@@ -126,7 +126,7 @@ impl Draughtsman<'_> {
         let settled = match statement.standing {
             Standing::Stated | Standing::Hint | Standing::Driven => return Ok(stated),
             Standing::Onto(locus) => self.brought_onto(&locus, stated),
-            Standing::AtMeet(loci) => match self.meet_loci(of, &loci, Some(stated.value()), false) {
+            Standing::AtMeet(loci) => match self.meet_clearly(of, &loci, stated) {
                 // What holds the point besides only touches, or by rounding crosses twice about the stated place: along it
                 // that tells where the point is.
                 Err(
@@ -149,6 +149,32 @@ impl Draughtsman<'_> {
         agrees.map(|()| settled)
     }
 
+    /// Where two loci that hold a point besides its statement meet next to where it is stated. Where they may be one for what
+    /// their numbers leave open, they only touch: the meet may be anywhere along them.
+    fn meet_clearly(&mut self, of: PointId, loci: &[Locus; 2], stated: Point) -> Result<Point, DrawError> {
+        let met = self.meet_loci(of, loci, Some(stated.value()), false)?;
+        if self.is_told(met) {
+            Ok(met)
+        } else {
+            Err(DrawError::Unplaced { point: of, why: Unplaced::Touches })
+        }
+    }
+
+    /// Whether the drawing tells where a point is.
+    fn is_told(&mut self, at: Point) -> bool {
+        self.board.tape().aside(true);
+        let pole = self.board.origin();
+        let marks = self.board.between(pole, at).map(|mm| mm.mark());
+        self.board.tape().aside(false);
+        self.tells(&marks)
+    }
+
+    /// Whether the drawing tells what was measured: no divisor or half chord behind it may be zero for its error.
+    fn tells(&mut self, measured: &[u32]) -> bool {
+        let tape = self.board.tape();
+        !tape.keeps() || measured.iter().all(|mark| tape.weakness(*mark).is_none())
+    }
+
     /// The point of a locus that is met square on from a place.
     fn brought_onto(&mut self, locus: &Locus, from: Point) -> Point {
         match self.locus(locus) {
@@ -165,14 +191,15 @@ impl Draughtsman<'_> {
     }
 
     /// Refuses a point that is stated beside where the rest of the scene puts it, by more than rounding and what the rooms of
-    /// placed points leave open.
+    /// placed points leave open. A place that the drawing does not tell contradicts nothing.
     ///
     /// # Errors
     /// [`DrawError::Unplaced`].
     pub(super) fn is_at(&mut self, of: PointId, stands: Point, stated: Point) -> Result<(), DrawError> {
         let apart = self.board.distance(stands, stated);
         let miss = apart.value();
-        if miss > allowed(self) && miss > allowed(self) + self.left_open(&[apart.mark()]) {
+        let contradicts = miss > allowed(self) && miss > allowed(self) + self.left_open(&[apart.mark()]);
+        if contradicts && self.tells(&[apart.mark()]) {
             let by = miss * self.scales.length();
             return Err(DrawError::Unplaced { point: of, why: Unplaced::Beside { by } });
         }

@@ -133,6 +133,7 @@ impl Draughtsman<'_> {
             loci.extend(circles.into_iter().map(Track::Arc));
             loci.extend(self.contacts_of(point));
             loci.extend(self.circles_about_driven(point).into_iter().map(Track::Arc));
+            loci.extend(self.tracks_beside_guides(point));
             let &[first, second, ..] = loci.as_slice() else { continue };
             let links = self.mechanism.point(point).links.clone();
             let reason = self.reason(&links);
@@ -226,6 +227,23 @@ impl Draughtsman<'_> {
                 all.len() == 1 || hint.is_some(),
             ) {
                 tracks.push(track);
+            }
+        }
+        tracks
+    }
+
+    /// The parallels to guides of links that stand on which a further point of a link moves that rides there without turning.
+    fn tracks_beside_guides(&mut self, point: PointId) -> Vec<Track> {
+        let mut tracks = Vec::new();
+        for slide in 0..self.mechanism.slides.len() {
+            let Slide { rider: Rider::Link { link, turned: Some(_) }, guide } = self.mechanism.slides[slide]
+            else {
+                continue;
+            };
+            let further = self.joint_of_rider(slide) != Some(point)
+                && self.mechanism.point(point).links.contains(&link);
+            if further && (self.stands_in_world(guide.link) || self.pose_of(guide.link).is_some()) {
+                tracks.push(self.track(slide, Some(point)));
             }
         }
         tracks

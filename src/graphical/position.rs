@@ -1721,7 +1721,8 @@ impl Draughtsman<'_> {
     }
 
     fn right_pose(&mut self, link: LinkId, poses: [Pose; 2], pin: PointId) -> Result<Side, DrawError> {
-        if let Some(side) = self.prescribed_side() {
+        let prescribed = self.prescribed_side();
+        if let Some(side) = self.side_as_given(link, poses).or(prescribed) {
             return Ok(side);
         }
         let tried = poses.map(|pose| self.hints_of_pose(link, pose));
@@ -1736,6 +1737,32 @@ impl Draughtsman<'_> {
                 }
                 _ => Err(DrawError::Missing(Missing::Place(pin))),
             },
+        }
+    }
+
+    /// The pose in which a link has its points where they are given, where their places tell the two apart: a trial may
+    /// prescribe the other one, in which nothing shows on the skeleton but the link's guides.
+    fn side_as_given(&mut self, link: LinkId, poses: [Pose; 2]) -> Option<Side> {
+        let points = self.mechanism.link(link).points.clone();
+        let given: Vec<(PointId, Point)> =
+            points.into_iter().filter_map(|p| Some((p, self.given_place(p)?))).collect();
+        let per_mm = self.scales.length();
+        let before = self.poses[link.0];
+        let [first, second] = poses.map(|pose| {
+            self.poses[link.0] = Some(pose);
+            let square = |(point, at): &(PointId, Point)| {
+                let own = self.own(link, *point);
+                let carried = self.carried_point(link, own);
+                let [x, y] = self.board.between(*at, carried).map(|mm| mm.value() * per_mm);
+                x * x + y * y
+            };
+            given.iter().map(square).sum::<f64>()
+        });
+        self.poses[link.0] = before;
+        if chooses(first, second, per_mm) {
+            Some(Side::First)
+        } else {
+            chooses(second, first, per_mm).then_some(Side::Second)
         }
     }
 

@@ -115,7 +115,10 @@ impl Draughtsman<'_> {
             let &[p, q, ..] = known.as_slice() else { return None };
             self.pose_by_points(link, p, q);
         }
-        let along = self.poses[link.0]?.along;
+        self.poses[link.0]?;
+        // Its own x-axis: the line by which it was laid on may lead to a point that moves along it.
+        let own_x = self.board.rightward();
+        let along = self.carried(link, own_x);
         Some(self.since_start(along))
     }
 

@@ -808,7 +808,7 @@ impl Draughtsman<'_> {
 
     /// The image of a point of a link of which no joint has one: from the point under the pin by which the
     /// link was solved.
-    fn translated_image(&mut self, order: Order, link: LinkId, point: PointId) -> Point {
+    pub(super) fn translated_image(&mut self, order: Order, link: LinkId, point: PointId) -> Point {
         let solved_by = self.coincident.iter().find(|c| c.order == order && c.link == link).map(|c| c.pin);
         match solved_by {
             Some(pin) => self.riding_image(order, link, pin, point),

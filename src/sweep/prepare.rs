@@ -12,7 +12,7 @@ use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{
     Direction, Form, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider,
-    Slide,
+    Roll, Slide,
 };
 use crate::plan::{Extent, Plan};
 
@@ -135,26 +135,29 @@ pub(super) fn ready(mechanism: &Mechanism, moved: &Moved) -> Result<(Mechanism, 
     Ok((ready, 0, start))
 }
 
-/// The wheels of which more is wanted than their centre: where that goes follows from how far they have rolled.
-fn rolled<'m>(
-    mechanism: &'m Mechanism,
-    structure: &'m Structure,
-) -> impl Iterator<Item = (LinkId, PointId)> + 'm {
+/// The wheels that roll, each with its centre.
+fn wheels(structure: &Structure) -> impl Iterator<Item = (LinkId, PointId)> + '_ {
     structure.groups.iter().filter_map(|group| match group.kind {
         GroupKind::Wheel { wheel, centre, .. }
         | GroupKind::Planet { wheel, centre, .. }
-        | GroupKind::Rolling { wheel, centre, .. } => {
-            let guides = mechanism.slides.iter().any(|s| s.guide.link == wheel);
-            let more = guides || mechanism.link(wheel).points.len() > 1;
-            more.then_some((wheel, centre))
-        }
+        | GroupKind::Rolling { wheel, centre, .. } => Some((wheel, centre)),
         _ => None,
     })
 }
 
+/// Whether a wheel has more than its centre: where that goes follows from how far it has rolled.
+fn carries_more(mechanism: &Mechanism, wheel: LinkId) -> bool {
+    let guides = mechanism.slides.iter().any(|slide| slide.guide.link == wheel);
+    let lines = mechanism.rolls.iter().any(|roll| match roll {
+        Roll::Line { guide, .. } => guide.link == wheel,
+        Roll::Circles { .. } => false,
+    });
+    guides || lines || mechanism.link(wheel).points.len() > 1
+}
+
 /// Where a wheel's points go follows from how far it has rolled, and no drawing of one position tells that.
 pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure) -> Result<(), SweepError> {
-    match rolled(mechanism, structure).next() {
+    match wheels(structure).find(|(wheel, _)| carries_more(mechanism, *wheel)) {
         Some((wheel, _)) => Err(SweepError::Instant(format!(
             "where the points of wheel {} go follows from how far it has rolled, which a drawing of one position \
              does not tell",
@@ -164,7 +167,8 @@ pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure)
     }
 }
 
-/// Where the points of rolling wheels stand at the scene's instant; nothing where no wheel has points.
+/// Where the points of rolling wheels stand at the scene's instant; nothing where no wheel has points, and how none turns is
+/// not asked.
 pub(super) fn starts(
     placed: &Mechanism,
     ready: &Mechanism,
@@ -172,7 +176,11 @@ pub(super) fn starts(
     moved: &Moved,
 ) -> Result<Vec<Option<GivenPoint>>, SweepError> {
     let mut starts = Vec::new();
-    for (wheel, centre) in rolled(ready, structure).filter(|(wheel, _)| moved.has(*wheel)) {
+    let is_asked = |wheel: LinkId| {
+        ready.asked.iter().any(|asked| matches!(asked.quantity, Quantity::Angle(link) if link == wheel))
+    };
+    let rolls_on = |wheel: LinkId| moved.has(wheel) && (carries_more(ready, wheel) || is_asked(wheel));
+    for (wheel, centre) in wheels(structure).filter(|(wheel, _)| rolls_on(*wheel)) {
         starts.resize(ready.points.len(), None);
         let link = ready.link(wheel);
         for &point in &link.points {

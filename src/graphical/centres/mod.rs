@@ -15,6 +15,7 @@ mod feed;
 mod search;
 mod velocities;
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use crate::board::{Amount, HomogeneousLine, HomogeneousPoint, Location, Point};
@@ -241,7 +242,11 @@ impl Draughtsman<'_> {
 
     /// Kennedy's theorem until all wanted centres are found; returns those at which the diagram stalls.
     fn kennedy(&mut self, plan: &CentrePlan) -> Vec<Chord> {
-        let mut atlas = Atlas { links: plan.links.iter().copied().collect(), ..Atlas::default() };
+        let mut atlas = Atlas {
+            links: plan.links.iter().copied().collect(),
+            left: Cell::new(search::ALL_LOOKS),
+            ..Atlas::default()
+        };
         atlas.normals =
             self.centres.normals.iter().map(|(c, (slide, line))| (*c, (*slide, line.look()))).collect();
         let mut wanted: Vec<Chord> = plan.wanted.iter().copied().collect();
@@ -262,9 +267,9 @@ impl Draughtsman<'_> {
                     }
                 }
                 None => {
-                    // One after the other, to see which of them it is.
-                    let reach = |c: &Chord| atlas.order(&[*c]).is_some();
-                    let (open, stuck): (Vec<Chord>, Vec<Chord>) = wanted.iter().partition(|c| reach(c));
+                    let reached = atlas.reached(&wanted);
+                    let (open, stuck): (Vec<Chord>, Vec<Chord>) =
+                        wanted.iter().partition(|c| reached.contains(*c));
                     stalled.extend(stuck);
                     wanted = open;
                 }
@@ -303,9 +308,16 @@ impl Draughtsman<'_> {
         }
         let [i, j] = links;
         // The frame carries no arrow: its points are seen from the other link's.
-        let seen = [[j, i], [i, j]].into_iter().find_map(|[link, from]| {
+        let ways = [[j, i], [i, j]];
+        let known = ways.into_iter().find_map(|[link, from]| {
             let point = self.point_of_velocity(link, from)?;
             Some((link, from, point))
+        });
+        let seen = known.or_else(|| {
+            ways.into_iter().find_map(|[link, from]| {
+                let point = self.point_to_be_seen(link, from)?;
+                Some((link, from, point))
+            })
         });
         let Some((link, from, point)) = seen else { return false };
         let rates = [link, from].map(|l| {
@@ -334,15 +346,40 @@ impl Draughtsman<'_> {
     /// A point of a link that stands on the skeleton and whose velocity is known, where that of the other link's point
     /// under it is known as well or can be laid off.
     fn point_of_velocity(&self, link: LinkId, from: LinkId) -> Option<PointId> {
+        if link == LinkId::FRAME || from != LinkId::FRAME && self.point_with_image(from).is_none() {
+            return None;
+        }
+        self.point_with_image(link)
+    }
+
+    /// A point of a link that stands on the skeleton and whose velocity is known.
+    fn point_with_image(&self, link: LinkId) -> Option<PointId> {
         let known = |p: PointId| {
             self.places[p.0].is_some()
                 && (self.mechanism.is_fixed(p) || self.motion(Order::Velocity).images[p.0].is_some())
         };
-        let carries =
-            |l: LinkId| l == LinkId::FRAME || self.mechanism.link(l).points.iter().any(|&p| known(p));
-        if link == LinkId::FRAME || !carries(from) {
+        self.mechanism.link(link).points.iter().copied().find(|&p| known(p))
+    }
+
+    /// The same where of one link, or of both, only a point under the pin is known by which it was solved: from there the
+    /// velocity of the link's first joint is laid off.
+    fn point_to_be_seen(&mut self, link: LinkId, from: LinkId) -> Option<PointId> {
+        let solved =
+            |d: &Self, l: LinkId| d.coincident.iter().any(|c| c.order == Order::Velocity && c.link == l);
+        let carries = from == LinkId::FRAME || self.point_with_image(from).is_some() || solved(self, from);
+        if link == LinkId::FRAME || !carries {
             return None;
         }
-        self.mechanism.link(link).points.iter().copied().find(|&p| known(p))
+        let known = self.point_with_image(link);
+        if known.is_some() || !solved(self, link) {
+            return known;
+        }
+        let point = self.mechanism.link(link).points.iter().copied().find(|p| self.places[p.0].is_some())?;
+        self.step(Order::Velocity, &[link], Vec::new());
+        self.board.purpose("velocity image of a further point");
+        let image = self.translated_image(Order::Velocity, link, point);
+        let image = self.note_image(Order::Velocity, point, image);
+        self.absolute_of(Order::Velocity, point, image);
+        Some(point)
     }
 }

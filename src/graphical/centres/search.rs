@@ -5,6 +5,7 @@
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use crate::mechanism::LinkId;
 use crate::plan::chord;
@@ -39,6 +40,8 @@ pub(super) struct Atlas {
     pub(super) normals: BTreeMap<Chord, (usize, [f64; 3])>,
     /// Derivations that have turned out to cross nowhere.
     pub(super) refused: BTreeSet<Derivation>,
+    /// Looks that are left.
+    pub(super) left: Cell<usize>,
 }
 
 /// How flat lines may cross, as sines: first as a draughtsman can read (about 3°, `drawing.md`), then as fine as
@@ -55,9 +58,10 @@ const FEW: usize = 4;
 /// Looks at so many partial ways at most, for each length.
 const MOST_LOOKS: usize = 20_000;
 
-/// And at so many for all goals and lengths together: with many centres wanted of many links each search may be long. After
-/// that the centres are found in the order of their numbers.
-const ALL_LOOKS: usize = 400_000;
+/// And at so many for all goals, lengths and searches together: with many centres wanted of many links each search may be
+/// long, and every line that turns out to be another one begins it anew. After that the centres are found in the order of
+/// their numbers.
+pub(super) const ALL_LOOKS: usize = 400_000;
 
 /// Longest way that is sought among all.
 const LONGEST: usize = 8;
@@ -73,6 +77,12 @@ impl Atlas {
         }
         let all_at_once = if goals.len() <= FEW { self.shortest(&places, &goals) } else { None };
         Some(all_at_once.unwrap_or_else(|| self.one_by_one(&places, goals)))
+    }
+
+    /// Of these chords those to which derivations lead.
+    pub(super) fn reached(&self, wanted: &[Chord]) -> BTreeSet<Chord> {
+        let places = self.explored();
+        wanted.iter().copied().filter(|chord| places.contains_key(chord)).collect()
     }
 
     /// Where all reachable centres lie, each found by the best crossing at the earliest possible time.
@@ -152,11 +162,10 @@ impl Atlas {
     /// Goal by goal, the one that is nearest to what is known next.
     fn one_by_one(&self, places: &BTreeMap<Chord, [f64; 3]>, mut goals: Vec<Chord>) -> Vec<Derivation> {
         let mut known = self.points.clone();
-        let left = Cell::new(ALL_LOOKS);
         let mut all = Vec::new();
         while !goals.is_empty() {
             let near = |length: usize, flattest: &[f64]| {
-                goals.iter().find_map(|goal| self.way(places, &known, &[*goal], (length, flattest), &left))
+                goals.iter().find_map(|goal| self.way(places, &known, &[*goal], (length, flattest)))
             };
             // Where no way is short enough to be sought, the next chord by number.
             let way = (1..=LONGEST)
@@ -178,9 +187,8 @@ impl Atlas {
     /// The fewest derivations that lead to the goals.
     fn shortest(&self, places: &BTreeMap<Chord, [f64; 3]>, goals: &[Chord]) -> Option<Vec<Derivation>> {
         [TELLING, &FLATTEST].into_iter().find_map(|flattest| {
-            let left = Cell::new(ALL_LOOKS);
             (goals.len()..=LONGEST.max(goals.len()))
-                .find_map(|length| self.way(places, &self.points, goals, (length, flattest), &left))
+                .find_map(|length| self.way(places, &self.points, goals, (length, flattest)))
         })
     }
 
@@ -191,7 +199,6 @@ impl Atlas {
         known: &BTreeMap<Chord, [f64; 3]>,
         goals: &[Chord],
         (length, flattest): (usize, &[f64]),
-        left: &Cell<usize>,
     ) -> Option<Vec<Derivation>> {
         flattest.iter().find_map(|&flattest| {
             let mut hunt = Hunt {
@@ -202,12 +209,12 @@ impl Atlas {
                 length,
                 chosen: Vec::new(),
                 best: None,
-                looks: MOST_LOOKS.min(left.get()),
+                looks: MOST_LOOKS.min(self.left.get()),
                 ways: BTreeMap::new(),
             };
             let before = hunt.looks;
             hunt.go(goals.to_vec(), 1.0);
-            left.set(left.get() - (before - hunt.looks));
+            self.left.set(self.left.get() - (before - hunt.looks));
             hunt.best.map(|(_, best)| best)
         })
     }
@@ -224,7 +231,7 @@ struct Hunt<'a> {
     best: Option<(f64, Vec<Derivation>)>,
     /// Looks that are left.
     looks: usize,
-    ways: BTreeMap<Chord, Vec<(Derivation, f64)>>,
+    ways: BTreeMap<Chord, Rc<[(Derivation, f64)]>>,
 }
 
 impl Hunt<'_> {
@@ -244,7 +251,7 @@ impl Hunt<'_> {
             }
             return;
         };
-        for (derivation, sine) in self.derivations(goal) {
+        for &(derivation, sine) in self.derivations(goal).iter() {
             if self.looks == 0 {
                 return;
             }
@@ -262,14 +269,15 @@ impl Hunt<'_> {
     }
 
     /// The derivations of a chord from any centres, the best crossing first.
-    fn derivations(&mut self, goal: Chord) -> Vec<(Derivation, f64)> {
+    fn derivations(&mut self, goal: Chord) -> Rc<[(Derivation, f64)]> {
         if let Some(ways) = self.ways.get(&goal) {
-            return ways.clone();
+            return Rc::clone(ways);
         }
         let mut ways = self.atlas.derivations(self.places, goal);
         ways.retain(|(_, sine)| *sine > self.flattest);
         ways.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        self.ways.insert(goal, ways.clone());
+        let ways: Rc<[(Derivation, f64)]> = ways.into();
+        self.ways.insert(goal, Rc::clone(&ways));
         ways
     }
 
