@@ -32,6 +32,7 @@ mod forces_classroom;
 mod forces_cycle;
 mod forces_loads;
 mod forces_methods;
+mod forces_parts;
 mod forces_routes;
 mod forces_spin;
 mod formats;

@@ -92,6 +92,8 @@ pub struct ForceSheet {
     pub inertia: Vec<Acting>,
     /// The line of their sum, from the first fixed pivot.
     pub shaking: Option<MomentBalance>,
+    /// Somebody asks for that sum, its moment or its arm.
+    pub asks_shaking: bool,
     /// What moving links exert on the frame pair by pair, where their sum is asked.
     pub frame: Vec<Acting>,
     /// The line of that sum, from the first fixed pivot.
@@ -501,6 +503,21 @@ pub struct Acting {
     pub closes: bool,
     /// Its line would lie off the paper: it stands where it acts, with its couple beside it.
     pub with_couple: bool,
+    /// The parts of which moments give one, or both.
+    pub parts: Option<Parts>,
+}
+
+/// The parts of a force at a pin: head to tail they are the force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parts {
+    /// The part across the line from another pin to this one, newtons.
+    pub across: [f64; 2],
+    /// The part along that line, newtons.
+    pub along: [f64; 2],
+    /// The other pin, and this one.
+    pub line: [PointId; 2],
+    /// Friction lets the forces touch circles of the pins: the line is not quite that of their middles.
+    pub touches: bool,
 }
 
 /// What is known of a force before a body is balanced.

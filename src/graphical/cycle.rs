@@ -37,6 +37,8 @@ const CORNER: f64 = 1e-14;
 const HALVINGS: u32 = 40;
 /// Pieces of a curve before any is halved.
 const PIECES: u32 = 48;
+/// Steps of a period in which its energy is drawn.
+const DRAWN: u32 = 240;
 /// So near the beginning of the period, as a part of it, no crossing is surely the first or the last.
 const BEGINNING: f64 = 1e-9;
 /// Curves that part by no more than so many zeros between two crossings all but touch.
@@ -61,6 +63,8 @@ pub struct CycleSheet {
     pub areas: Vec<f64>,
     /// The levels of energy: at each crossing, or after each given area.
     pub levels: Vec<f64>,
+    /// The energy over the angle, J, from its beginning on in the sense of the motion; none where only areas are given.
+    pub energy: Vec<[f64; 2]>,
     /// Which level is the highest, and which the lowest.
     pub extremes: Option<[usize; 2]>,
     /// What was read off.
@@ -261,6 +265,8 @@ struct Diagram {
     crossings: Vec<Crossing>,
     areas: Vec<Amount>,
     levels: Vec<Amount>,
+    /// What has been turned, and the energy there.
+    energy: Vec<[f64; 2]>,
     by_areas: bool,
     extremes: Option<[usize; 2]>,
     /// Why the crossings cannot be counted.
@@ -302,6 +308,7 @@ impl Diagram {
         }
         // What has been turned is less of the period for an angle that falls.
         let placed = |turned: f64| if cycle.falling && turned > 0.0 { period - turned } else { turned };
+        let whole = |turned: f64| if cycle.falling { period - turned } else { turned };
         if cycle.falling {
             for curve in &mut curves {
                 curve.reverse();
@@ -324,6 +331,7 @@ impl Diagram {
             crossings: crossings.collect(),
             areas,
             levels,
+            energy: self.energy.iter().map(|[turned, level]| [whole(*turned), *level]).collect(),
             extremes: self.extremes,
             numbers: Vec::new(),
         }
@@ -1050,6 +1058,8 @@ impl Desk<'_> {
             });
         }
         let extremes = self.extremes(&levels);
+        let places: Vec<usize> = crossings.iter().map(|crossing| crossing.node).collect();
+        let energy = self.energy((&nodes, &pieces), &levels_at, &places);
         let steepest = self.steepest(courses, constant, mean, &nodes, &pieces)?;
         Ok(Diagram {
             nodes,
@@ -1058,11 +1068,44 @@ impl Desk<'_> {
             crossings,
             areas,
             levels,
+            energy,
             by_areas: false,
             extremes,
             uncounted,
             steepest: Some(steepest),
         })
+    }
+
+    /// The energy over what has been turned, as closely as it is drawn, and at the crossings: what the areas of the pieces
+    /// come to, and within each the area of its line or parabola so far.
+    fn energy(
+        &self,
+        (nodes, pieces): (&[Node], &[Piece]),
+        levels: &[Amount],
+        crossings: &[usize],
+    ) -> Vec<[f64; 2]> {
+        let whole = self.cycle.period.value;
+        let step = whole / f64::from(DRAWN);
+        let net = |[torque, load]: [Amount; 2]| torque.value() - load.value();
+        let mut all: Vec<[f64; 2]> = Vec::new();
+        for (index, (ends, middle)) in nodes.windows(2).zip(pieces).enumerate() {
+            let [from, to] = [ends[0].at.value(), ends[1].at.value()];
+            let (width, start) = (to - from, levels[index].value());
+            if all.last().is_none_or(|[at, _]| from - at >= step) || crossings.contains(&index) {
+                all.push([from, start]);
+            }
+            let [first, last] = [net(ends[0].after), net(ends[1].before)];
+            let middle = middle.map_or(f64::midpoint(first, last), net);
+            let (slope, bend) = (4.0 * middle - 3.0 * first - last, 2.0 * (first + last) - 4.0 * middle);
+            let parts = libm::floor(width / step) as u32;
+            for part in 1..parts {
+                let t = f64::from(part) / f64::from(parts);
+                let area = width * t * (first + t * (slope / 2.0 + t * bend / 3.0));
+                all.push([from + t * width, start + area]);
+            }
+        }
+        all.extend(nodes.last().zip(levels.last()).map(|(node, level)| [node.at.value(), level.value()]));
+        all
     }
 
     /// The highest and the lowest level; of equal ones the first.
@@ -1195,6 +1238,7 @@ impl Desk<'_> {
             crossings: Vec::new(),
             areas: drawn,
             levels,
+            energy: Vec::new(),
             by_areas: true,
             extremes,
             uncounted: None,

@@ -20,7 +20,7 @@ use crate::graphical::auxiliary::{
 };
 use crate::graphical::construction::{Construction, Label};
 use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Mass, Share};
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 
@@ -847,7 +847,13 @@ impl Teller<'_> {
     fn of_lever(&self, act: &AuxiliaryAct) -> Option<Vec<Rich>> {
         let n = self.notation;
         let words = n.words;
-        let watts = |value: f64| human::with_unit(&human::number(value), "W");
+        let watt = Unit { symbol: "W".to_owned(), si: 1.0 };
+        // As it is printed, and with how many figures more than usual.
+        let power = |of: Force, value: f64| {
+            let mut figures = self.figures.borrow_mut();
+            let text = figures.tell(Key::Power(of), value, &watt);
+            (human::with_unit(&text, &watt.symbol), (value.abs(), figures.more(Key::Power(of))))
+        };
         let omega = |link: LinkId| n.symbol(Quantity::Omega(link), false);
         let pole = || n.image(Label::Pole, DiagramKind::Velocity);
         Some(vec![match *act {
@@ -857,10 +863,11 @@ impl Teller<'_> {
                 let force = force_symbol(Force::Vector(action), n);
                 // By the scale of velocities the arm is the part of the velocity along the force.
                 let (factor, written) = human::factor(si_per_mm);
-                let [f, y] = human::closing([size, mm], moment.abs(), |[f, y]| f * y * written);
+                let (watts, result) = power(Force::Vector(action), moment);
+                let [f, y] = human::closing_finer([size, mm], result, |[f, y]| f * y * written);
                 let product = force.up(DOT).then(&arm).up(EQUALS).then(&f).up(TIMES);
                 let product = product.then(&human::with_unit(&y, "mm")).up(TIMES).then(&factor).up(EQUALS);
-                product.then(&watts(moment.abs())).word(n.sense(moment))
+                product.then(&watts).word(n.sense(moment))
             }
             AuxiliaryAct::NoArmOnLever { action } => {
                 let parts = [("force", force_symbol(Force::Vector(action), n)), ("pole", pole())];
@@ -868,9 +875,10 @@ impl Teller<'_> {
             }
             AuxiliaryAct::CoupleOnLever { of, link, torque, omega: rate } => {
                 let moment = torque * rate;
-                let [t, w] = human::closing([torque.abs(), rate.abs()], moment.abs(), |[t, w]| t * w);
+                let (watts, result) = power(of, moment);
+                let [t, w] = human::closing_finer([torque.abs(), rate.abs()], result, |[t, w]| t * w);
                 let line = force_symbol(of, n).up(DOT).then(&omega(link)).up(EQUALS);
-                let line = line.then(&t).up(TIMES).then(&w).up(EQUALS).then(&watts(moment.abs()));
+                let line = line.then(&t).up(TIMES).then(&w).up(EQUALS).then(&watts);
                 let parts = [("link", Rich::upright(n.number(link))), ("moment", line.word(n.sense(moment)))];
                 Rich::fill(words.lever_couple, &parts)
             }
@@ -883,37 +891,60 @@ impl Teller<'_> {
                     Some(link) => omega(link),
                     None => n.symbol(Quantity::Velocity(point?), false),
                 };
-                let [m, s] = human::closing([-moments, speed], effort, |[m, s]| m / s);
-                let unit = if driven.is_some() { "N·m" } else { "N" };
-                let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
-                let line = line.then(&m).up(OVER).then(&s).up(EQUALS);
-                let line = line.then(&human::with_unit(&human::number(effort), unit));
-                let of = |act: &AuxiliaryAct| match *act {
-                    AuxiliaryAct::MomentOnLever { moment, .. } => Some(moment),
-                    AuxiliaryAct::CoupleOnLever { torque, omega, .. } => Some(torque * omega),
+                let si = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
+                let (own, of_rate, rate_unit) = match driven {
+                    Some(link) => (si("N·m"), Quantity::Omega(link), si("rad/s")),
+                    None => (si("N"), Quantity::Velocity(point?), si("m/s")),
+                };
+                let of_act = |act: &AuxiliaryAct| match *act {
+                    AuxiliaryAct::MomentOnLever { action, moment, .. } => {
+                        Some((Force::Vector(action), moment))
+                    }
+                    AuxiliaryAct::CoupleOnLever { of, torque, omega, .. } => Some((of, torque * omega)),
                     _ => None,
                 };
-                let terms: Vec<f64> = self.drawing.acts.iter().filter_map(of).collect();
-                let sizes: Vec<f64> = terms.iter().map(|term| term.abs()).collect();
-                let total = |sizes: &[f64]| {
-                    sizes.iter().zip(&terms).map(|(size, term)| size.copysign(*term)).sum::<f64>()
-                };
-                let written = human::closing_all(&sizes, moments, total);
+                let terms: Vec<(Force, f64)> = self.drawing.acts.iter().filter_map(of_act).collect();
+                let mut figures = self.figures.borrow_mut();
+                // As the other way to it can tell it.
+                let [all, result] = [Key::Given("ΣM"), Key::Power(of)];
+                figures.want_one(result);
                 let mut sum = Rich::upright("Σ").it("M").up(EQUALS);
-                for (place, (text, term)) in written.iter().zip(&terms).enumerate() {
-                    let sign = match (place, *term < 0.0) {
-                        (0, false) => "",
-                        (0, true) => "−",
-                        (_, false) => " + ",
-                        (_, true) => " − ",
-                    };
-                    sum = sum.up(sign).then(text);
-                }
-                let sum = match terms.len() {
-                    0 | 1 => sum,
-                    _ => sum.up(EQUALS).then(&human::number(moments)),
+                let told = match terms[..] {
+                    [(only, _)] => {
+                        figures.alias(all, Key::Power(only));
+                        let text = figures.tell(all, moments, &watt);
+                        Rich::upright(if moments < 0.0 { "−" } else { "" }).then(&text)
+                    }
+                    _ => {
+                        let factors: Vec<_> =
+                            terms.iter().map(|(of, power)| (Some(Key::Power(*of)), *power, &watt)).collect();
+                        let reckon = |sizes: &[f64]| {
+                            sizes.iter().zip(&terms).map(|(size, (_, term))| size.copysign(*term)).sum()
+                        };
+                        let (written, text, _) =
+                            figures.line_of(&factors, (Some(all), moments, &watt), reckon);
+                        for (place, (text, (_, term))) in written.iter().zip(&terms).enumerate() {
+                            let sign = match (place, *term < 0.0) {
+                                (0, false) => "",
+                                (0, true) => "−",
+                                (_, false) => " + ",
+                                (_, true) => " − ",
+                            };
+                            sum = sum.up(sign).then(text);
+                        }
+                        sum = sum.up(EQUALS);
+                        text
+                    }
                 };
-                let sum = sum.up("\u{a0}W");
+                let sum = sum.then(&told).up("\u{a0}W");
+                let factors = [(Some(all), moments, &watt), (Some(Key::of(of_rate, n)), speed, &rate_unit)];
+                let reckon = |x: &[f64]| x[0].copysign(-moments) / x[1].copysign(speed);
+                let (x, text, _) = figures.line_of(&factors, (Some(result), effort, &own), reckon);
+                let sign = |value: f64| if value < 0.0 { "−" } else { "" };
+                let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
+                let line =
+                    line.up(sign(-moments)).then(&x[0]).up(OVER).up(sign(speed)).then(&x[1]).up(EQUALS);
+                let line = line.then(&human::with_unit(&text, &own.symbol));
                 return Some(vec![
                     Rich::fill(words.lever_sum, &[("sum", sum), ("pole", pole())]),
                     Rich::fill(words.lever_effort, &[("effort", line)]),

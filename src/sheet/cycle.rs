@@ -465,24 +465,16 @@ fn energy(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
         arrow(&mut group, Point::ORIGIN, Point::new(width + 6.0, 0.0), THIN);
         arrow(&mut group, Point::ORIGIN, Point::new(0.0, y(most) - 5.0), THIN);
     }
-    let mut points: Vec<Point> = sheet
+    let tops: Vec<Point> = sheet
         .levels
         .iter()
         .enumerate()
         .map(|(index, level)| Point::new(place_of(index), y(*level)))
         .collect();
-    let tops = points.clone();
-    if by_angle {
-        // From angle 0, and on to the end of the period.
-        let whole: f64 = sheet.areas.iter().sum();
-        let [start, end] = if sheet.falling { [width, 0.0] } else { [0.0, width] };
-        if points.first().is_some_and(|first| first.x > 1e-9) {
-            points.insert(0, Point::new(start, 0.0));
-        }
-        points.push(Point::new(end, y(whole)));
-    } else {
-        points.insert(0, Point::ORIGIN);
-    }
+    let points: Vec<Point> = match by_angle {
+        true => sheet.energy.iter().map(|[angle, level]| Point::new(x(*angle), y(*level))).collect(),
+        false => std::iter::once(Point::ORIGIN).chain(tops.iter().copied()).collect(),
+    };
     let mut own = Group::new("curve levels");
     own.mark(Mark::stroke(Shape::Polyline(points), Pen::solid(THIN)));
     group.group(own);

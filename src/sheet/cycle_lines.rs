@@ -678,8 +678,11 @@ impl Computed<'_> {
     /// Where the torques are equal, the areas between, and the levels, each from the numbers before.
     fn areas(&self) -> Option<Vec<Rich>> {
         let count = self.sheet.areas.len();
-        if count == 0 || count > TOLD || self.sheet.levels.len() != count {
+        if count == 0 || self.sheet.levels.len() != count {
             return None;
+        }
+        if count > TOLD {
+            return Some(self.extremes_as_sums());
         }
         let mut lines = Vec::new();
         let by_angle = self.sheet.crossings.len() == count;
@@ -712,6 +715,35 @@ impl Computed<'_> {
             figures.alias(key(CycleQuantity::Lowest), key(CycleQuantity::Level(counted(lowest))));
         }
         Some(lines)
+    }
+
+    /// Of too many areas to be told one by one: what the highest and the lowest level are the sum of.
+    fn extremes_as_sums(&self) -> Vec<Rich> {
+        let by_angle = !self.sheet.crossings.is_empty();
+        let joule = self.unit(ENERGY);
+        let extremes = self.sheet.extremes.into_iter().flatten();
+        let mut lines = Vec::new();
+        for (index, whole) in extremes.zip([CycleQuantity::Highest, CycleQuantity::Lowest]) {
+            let [of, level] = [CycleQuantity::Level(counted(index)), CycleQuantity::Level(1)];
+            let value = self.sheet.levels[index];
+            // From a crossing on the areas are counted that lie behind it.
+            let areas = if by_angle { index } else { index + 1 };
+            let mut terms: Vec<Rich> =
+                (by_angle && index > 0).then(|| self.name(level)).into_iter().collect();
+            terms.extend((areas > 0).then(|| self.name(CycleQuantity::Area(1))));
+            terms.extend((areas > 2).then(|| Rich::upright("…")));
+            terms.extend((areas > 1).then(|| self.name(CycleQuantity::Area(counted(areas - 1)))));
+            let told = self.figures.borrow_mut().tell(key(of), value, &joule);
+            self.figures.borrow_mut().alias(key(whole), key(of));
+            let mut line = self.name(of).up("\u{a0}= ");
+            if !terms.is_empty() {
+                line = line.then(&Rich::join(&terms, &Rich::upright("\u{a0}+\u{a0}"))).up("\u{a0}= ");
+            }
+            lines.push(
+                line.up(if value < 0.0 { "−" } else { "" }).then(&human::with_unit(&told, &joule.symbol)),
+            );
+        }
+        lines
     }
 
     /// Areas and levels stand under each other: what one of them needs all have.

@@ -32,6 +32,30 @@ pub(super) fn laid_off(notation: &Notation<'_>, action: Action) -> Rich {
     if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
 }
 
+/// The symbol of a load: its name; of one that the scene leaves without a name P, or M of a torque, with the number of the
+/// link, and its own number there where the link has several.
+pub(super) fn load(notation: &Notation<'_>, index: usize) -> Rich {
+    let loads = &notation.mechanism().forces.loads;
+    let own = &loads[index];
+    if !is_unnamed(notation, index) {
+        return Rich::italic(&own.name);
+    }
+    let alike = |other: &usize| {
+        let load = &loads[*other];
+        load.link == own.link && load.is_torque() == own.is_torque() && is_unnamed(notation, *other)
+    };
+    let before = (0..index).filter(alike).count();
+    let several = (0..loads.len()).filter(alike).count() > 1;
+    let link = notation.number(own.link);
+    let sub = if several { format!("{link},{}", before + 1) } else { link };
+    Rich::italic(if own.is_torque() { "M" } else { "P" }).sub(&sub)
+}
+
+/// Whether the scene gives a load no name.
+pub(super) fn is_unnamed(notation: &Notation<'_>, index: usize) -> bool {
+    notation.mechanism().forces.loads[index].name == format!("load {}", index + 1)
+}
+
 /// What is of inertia, of whatever link: Fⁱⁿ, Tⁱⁿ.
 pub(super) fn of_inertia(letter: &str) -> Rich {
     Rich::italic(letter).scripts(INERTIA, Face::Upright, "")
@@ -95,7 +119,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::Centrifugal(link) => marked("F", "", &format!("c{}", notation.number(link))),
         Action::Shaking => marked("F", "", "S"),
         Action::OnFrame => marked("F", "", "1"),
-        Action::Load(index) => Rich::italic(&mechanism.forces.loads[index].name),
+        Action::Load(index) => load(notation, index),
         Action::Weight(link) => marked("W", "", &notation.number(link)),
         Action::Spring { index, .. } => marked(pull(index), "", &mechanism.forces.springs[index].name),
         Action::Drive(input) => drive(input),
@@ -119,7 +143,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
             marked("T", "", &link)
         }
         Force::Drive(input) => drive(input),
-        Force::LoadTorque(index) => Rich::italic(&mechanism.forces.loads[index].name),
+        Force::LoadTorque(index) => load(notation, index),
         Force::Pull(index) | Force::Twist(index) => {
             let spring = &mechanism.forces.springs[index];
             let letter = if matches!(spring.kind, SpringKind::Pull(_)) { pull(index) } else { "T" };

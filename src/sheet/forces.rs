@@ -13,11 +13,13 @@ use super::human;
 use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, hatch_below, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
+use super::printed::either;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::statics::arm_name;
 use crate::graphical::construction::{
-    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MeetOfThree, MomentBalance, Turning,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MeetOfThree, MomentBalance, Parts,
+    Turning,
 };
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
@@ -133,6 +135,12 @@ impl ForcePanel {
         all
     }
 
+    /// Whether a sheet has it without being told to: the shaking force only where somebody asks for it.
+    #[must_use]
+    pub const fn is_told(self, sheet: &ForceSheet) -> bool {
+        sheet.asks_shaking || !matches!(self, Self::Shaking | Self::ShakingLine)
+    }
+
     /// The name of the figure in which it stands.
     #[must_use]
     pub fn belongs_to(self, name: &str, sheet: &ForceSheet, notation: &Notation<'_>) -> bool {
@@ -141,7 +149,8 @@ impl ForcePanel {
             Party::Pin(pin) => Some(notation.point_name(pin).to_owned()),
         };
         match (self, name) {
-            (_, "forces") | (Self::Loads, "loads") | (Self::Shaking | Self::ShakingLine, "shaking") => true,
+            (_, "forces") => self.is_told(sheet),
+            (Self::Loads, "loads") | (Self::Shaking | Self::ShakingLine, "shaking") => true,
             (Self::Body(_) | Self::Together(_), "bodies")
             | (Self::Polygon(_), "polygons")
             | (Self::Whole, "polygon(all)")
@@ -304,6 +313,99 @@ fn chain(acting: &[Acting]) -> Option<Vec<[f64; 2]>> {
     (longest > 0.0).then_some(places)
 }
 
+/// A force as a polygon shows it, or a part of one.
+struct Stroke {
+    /// Its ends from the pole, newtons.
+    ends: [[f64; 2]; 2],
+    symbol: Rich,
+    quantity: String,
+    of: Laid,
+}
+
+/// What a stroke of a polygon is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Laid {
+    /// It was known, and is laid off.
+    Known,
+    /// The polygon finds it.
+    Found,
+    /// What its parts, which are laid off, come to.
+    Sum,
+}
+
+impl Stroke {
+    fn length(&self) -> f64 {
+        let [[ax, ay], [bx, by]] = self.ends;
+        libm::hypot(bx - ax, by - ay)
+    }
+}
+
+/// The parts in which a polygon lays off a force: that in which the force comes first.
+pub(super) fn laid_off_in_parts(sheet: &ForceSheet, panel: ForcePanel, acting: &Acting) -> Option<Parts> {
+    let ForcePanel::Polygon(index) = panel else { return None };
+    let parts = acting.parts?;
+    // Two forces are one line there and back.
+    let has = |body: &FreeBody| {
+        let same = |other: &Acting| either(other.action) == either(acting.action);
+        body.acting.len() > 2 && body.acting.iter().any(same)
+    };
+    let of_force = || (0..sheet.bodies.len()).filter(|index| has(&sheet.bodies[*index]));
+    let first = of_force().find(|index| sheet.bodies[*index].gives).or(of_force().next());
+    (first == Some(index)).then_some(parts)
+}
+
+/// The forces of a polygon head to tail, in their parts where moments gave these; of what is open the lines follow each
+/// other, so that they meet.
+fn strokes(
+    acting: &[Acting],
+    (panel, sheet): (ForcePanel, &ForceSheet),
+    notation: &Notation<'_>,
+) -> Vec<Stroke> {
+    let mechanism = notation.mechanism();
+    let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+    let mut all = Vec::new();
+    let mut at = [0.0; 2];
+    let mut open = false;
+    for own in acting {
+        let ends = [at, plus(at, own.force)];
+        at = ends[1];
+        let whole = |of: Laid| Stroke {
+            ends,
+            symbol: symbol(own.action, notation),
+            quantity: own.action.name(mechanism),
+            of,
+        };
+        let of = if own.closes { Laid::Found } else { Laid::Known };
+        let Some(parts) = laid_off_in_parts(sheet, panel, own) else {
+            all.push(whole(of));
+            open |= own.closes;
+            continue;
+        };
+        let mark = |mark: &str| super::force_names::part(notation, own.action, mark);
+        let across = (parts.across, mark(notation.profile.tangential), part_name("Ft", own, parts, notation));
+        let along = (parts.along, mark(notation.profile.normal), part_name("Fn", own, parts, notation));
+        // What the polygon finds of the second force begins where that of the first one ends.
+        let (first, second) =
+            if open { ((along, of), (across, Laid::Known)) } else { ((across, Laid::Known), (along, of)) };
+        let mut from = ends[0];
+        for ((force, symbol, quantity), of) in [first, second] {
+            let to = plus(from, force);
+            all.push(Stroke { ends: [from, to], symbol, quantity, of });
+            from = to;
+        }
+        all.push(whole(Laid::Sum));
+        open |= own.closes;
+    }
+    all
+}
+
+/// The name of a part of a force at a pin: Ft(3,4/O4).
+fn part_name(letters: &str, acting: &Acting, parts: Parts, notation: &Notation<'_>) -> String {
+    let name = acting.action.name(notation.mechanism());
+    let inside = name.trim_start_matches('F').trim_matches(|c| c == '(' || c == ')');
+    format!("{letters}({inside}/{})", notation.point_name(parts.line[0]))
+}
+
 /// How much room a polygon takes: of one that is low and has a row to itself its width takes less.
 fn extent(places: &[[f64; 2]]) -> f64 {
     /// A row is so much wider than a polygon beside others may be.
@@ -403,7 +505,8 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
         return Some(stated);
     }
     let drawn = |panel: &ForcePanel| {
-        sides(sheet, *panel, notation).len() > 2 || !matches!(panel, ForcePanel::Polygon(_))
+        let is_line = matches!(panel, ForcePanel::Polygon(_)) && sides(sheet, *panel, notation).len() <= 2;
+        !is_line && panel.is_told(sheet)
     };
     let of_sums = [ForcePanel::Whole, ForcePanel::Shaking, ForcePanel::Frame];
     let all = (0..sheet.bodies.len()).map(ForcePanel::Polygon).chain(of_sums);
@@ -414,15 +517,15 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
 /// The scale at which a polygon fills its place with no more sides than there have to be too short for their names.
 fn filling(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Option<f64> {
     let forces = sides(sheet, panel, notation);
-    let size = extent(&chain(&forces)?);
+    chain(&forces)?;
+    let strokes = strokes(&forces, (panel, sheet), notation);
+    let places: Vec<[f64; 2]> = strokes.iter().flat_map(|stroke| stroke.ends).collect();
+    let size = extent(&places);
     if size <= 0.0 {
         return None;
     }
-    let lengths: Vec<f64> = forces
-        .iter()
-        .map(|acting| libm::hypot(acting.force[0], acting.force[1]))
-        .filter(|length| *length > size / HOPELESS)
-        .collect();
+    let lengths: Vec<f64> =
+        strokes.iter().map(Stroke::length).filter(|length| *length > size / HOPELESS).collect();
     let unit = notation.scene.units.force.si;
     let crowded = |scale: f64| lengths.iter().filter(|length| **length / scale < CROWDED).count();
     let scales = POLYGON.iter().map(|room| round_scale(size, *room, unit));
@@ -434,7 +537,9 @@ fn filling(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Op
 pub fn of_polygons(sheet: &ForceSheet, notation: &Notation<'_>) -> Option<f64> {
     let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
     let all = bodies.chain([ForcePanel::Whole, ForcePanel::Shaking, ForcePanel::Frame]);
-    all.filter_map(|panel| per_mm(sheet, panel, notation)).reduce(f64::max)
+    all.filter(|panel| panel.is_told(sheet))
+        .filter_map(|panel| per_mm(sheet, panel, notation))
+        .reduce(f64::max)
 }
 
 /// The finest round scale at which so much has room.
@@ -760,6 +865,7 @@ fn sum_line(
         known: Knowledge::Full,
         closes: false,
         with_couple: false,
+        parts: None,
     };
     let most = largest(forces).max(libm::hypot(sum[0], sum[1]));
     Some(skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
@@ -916,7 +1022,7 @@ fn three_forces(
     group: &mut Group,
     requests: &mut Vec<Request>,
     meet: &MeetOfThree,
-    (acting, construction): (&[Acting], &Construction),
+    (acting, couples, construction): (&[Acting], bool, &Construction),
     notation: &Notation<'_>,
 ) {
     /// What lies farther off is off the drawing, mm.
@@ -928,7 +1034,7 @@ fn three_forces(
     let resultant = on_page(meet.through, construction);
     let found = acting.iter().filter(|acting| acting.closes);
     let lines = found.map(|acting| on_page(acting.through, construction)).chain([resultant]);
-    if known.len() > 1 {
+    if known.len() > 1 || couples {
         let site = Site::Along { from: resultant, to: at };
         let mut request = Request::new(resultant_name(meet.link, notation), LABEL, site, "label force-name");
         request.leader = true;
@@ -951,6 +1057,12 @@ fn three_forces(
         requests.push(Request::new(meet_name(meet.link, notation), LABEL, site, "label meet-name"));
     }
     group.group(own);
+}
+
+/// The couples that are known to act on a body.
+pub(super) fn couples_on(body: &FreeBody) -> Vec<(Force, f64)> {
+    let known = |(force, value): &&(Force, f64)| !matches!(force, Force::Torque(_)) && *value != 0.0;
+    body.torques.iter().filter(known).copied().collect()
 }
 
 /// The name of the resultant of what is known to act on a link.
@@ -1070,7 +1182,8 @@ impl Free<'_> {
         }
         let of_link = |link: LinkId| self.of.contains(&Party::Link(link));
         for meet in sheet.meets.iter().filter(|meet| of_link(meet.link)) {
-            three_forces(&mut group, &mut requests, meet, (self.acting, construction), notation);
+            let couples = sheet.bodies.get(meet.told).is_some_and(|body| !couples_on(body).is_empty());
+            three_forces(&mut group, &mut requests, meet, (self.acting, couples, construction), notation);
         }
         let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
         let most = largest(&everything);
@@ -1095,7 +1208,12 @@ impl Free<'_> {
                     let at = beyond(&mut taken, acting, at, most);
                     short_arrow(&mut group, &mut requests, acting, at, most, notation);
                 }
-                known => unknown(&mut group, &mut requests, acting, (known, at), &places, notation),
+                known => match acting.parts {
+                    Some(parts) => {
+                        lines_of_parts((&mut group, &mut requests), (acting, parts), (at, &places), notation)
+                    }
+                    None => unknown(&mut group, &mut requests, acting, (known, at), &places, notation),
+                },
             }
         }
         let ink = group.bounds().unwrap_or(Rect::ZERO);
@@ -1108,6 +1226,39 @@ impl Free<'_> {
         let names = place(&group, &requests, None);
         group.group(names);
         group
+    }
+}
+
+/// The lines of the parts of a force that is not found: from where it acts, that along a link away from it.
+fn lines_of_parts(
+    (group, requests): (&mut Group, &mut Vec<Request>),
+    (acting, parts): (&Acting, Parts),
+    (at, places): (Point, &[(Point, Rich, bool)]),
+    notation: &Notation<'_>,
+) {
+    let profile = notation.profile;
+    let both = [(parts.across, "Ft", profile.tangential), (parts.along, "Fn", profile.normal)];
+    for (force, letters, mark) in both {
+        let size = libm::hypot(force[0], force[1]);
+        if size <= 0.0 {
+            continue;
+        }
+        let along = Vec2::new(force[0] / size, -force[1] / size);
+        let on_link = places.iter().any(|(place, ..)| {
+            let to = *place - at;
+            to.hypot() > 1.0 && to.normalize().dot(along) > 0.9
+        });
+        let along = if on_link { -along } else { along };
+        let to = at + along * LINE;
+        let mut own = Group::new("force line").data("quantity", part_name(letters, acting, parts, notation));
+        own.mark(Mark::stroke(Shape::Line(at, to), Pen::solid(THIN)).precise());
+        group.group(own);
+        let toward = Some(libm::atan2(-along.y, along.x));
+        let text = super::force_names::part(notation, acting.action, mark);
+        let site = Site::Around { at: to, radius: 0.8, toward };
+        let mut request = Request::new(text, SMALL, site, "label force-name");
+        request.leader = true;
+        requests.push(request);
     }
 }
 
@@ -1325,22 +1476,24 @@ fn polygon(
     let mut requests = Vec::new();
     let Some(places) = chain(acting) else { return group };
     let place_of = |newtons: [f64; 2]| page(newtons.map(|n| n / per_mm));
-    for (acting, ends) in acting.iter().zip(places.windows(2)) {
-        let (from, to) = (place_of(ends[0]), place_of(ends[1]));
-        let known = !acting.closes;
-        let size = libm::hypot(acting.force[0], acting.force[1]);
-        let mut own = Group::new(if known { "vector force known" } else { "vector force found" })
-            .data("quantity", acting.action.name(notation.mechanism()))
-            .data("value", format!("{}", size / unit.si));
-        let text = symbol(acting.action, notation);
+    let strokes = strokes(acting, (panel, sheet), notation);
+    for stroke in &strokes {
+        let (from, to) = (place_of(stroke.ends[0]), place_of(stroke.ends[1]));
+        let mut own = Group::new(match stroke.of {
+            Laid::Known => "vector force known",
+            Laid::Found => "vector force found",
+            Laid::Sum => "vector force sum",
+        })
+        .data("quantity", stroke.quantity.clone())
+        .data("value", format!("{}", stroke.length() / unit.si));
         if from.distance(to) < SHORTEST {
             own = own.data("as-point", "true");
             own.mark(dot(to, 0.55).precise());
         } else {
-            arrow(&mut own, from, to, if known { THICK } else { THIN });
+            arrow(&mut own, from, to, if stroke.of == Laid::Known { THICK } else { THIN });
         }
         group.group(own);
-        let name = acting.action.name(notation.mechanism());
+        let text = stroke.symbol.clone();
         let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
         if from.distance(to) < CROWDED {
             let at = from.midpoint(to);
@@ -1348,17 +1501,18 @@ fn polygon(
         }
         request.leader = true;
         if from.distance(to) >= SHORTEST {
-            requests.push(request.naming([name]));
+            requests.push(request.naming([stroke.quantity.clone()]));
         }
     }
+    let sides: Vec<&Stroke> = strokes.iter().filter(|stroke| stroke.of != Laid::Sum).collect();
     // Two lines that meet run past their meeting.
-    let found: Vec<usize> = (0..acting.len()).filter(|i| acting[*i].closes).collect();
+    let found: Vec<usize> = (0..sides.len()).filter(|i| sides[*i].of == Laid::Found).collect();
     if let ([first, second], None) = (&found[..], sum)
         && second - first == 1
     {
         let mut own = Group::new("construction");
-        let meet = place_of(places[*second]);
-        for end in [place_of(places[*first]), place_of(places[*second + 1])] {
+        let meet = place_of(sides[*first].ends[1]);
+        for end in [place_of(sides[*first].ends[0]), place_of(sides[*second].ends[1])] {
             if meet.distance(end) > SHORTEST {
                 let past = meet + (meet - end).normalize() * PAST;
                 own.mark(Mark::stroke(Shape::Line(meet, past), Pen::solid(FINE)).precise());
@@ -1389,15 +1543,14 @@ fn polygon(
     requests.push(Request::new(pole.clone(), LABEL, site, "label image-name"));
     let names = place(&group, &requests, None);
     group.group(names);
-    let sides: Vec<Side> = acting
-        .iter()
-        .zip(places.windows(2))
-        .filter(|(acting, _)| acting.force != [0.0; 2])
-        .map(|(acting, ends)| Side {
-            from: place_of(ends[0]),
-            to: place_of(ends[1]),
-            name: symbol(acting.action, notation),
-            known: !acting.closes,
+    let sides: Vec<Side> = sides
+        .into_iter()
+        .filter(|stroke| stroke.length() > 0.0)
+        .map(|stroke| Side {
+            from: place_of(stroke.ends[0]),
+            to: place_of(stroke.ends[1]),
+            name: stroke.symbol.clone(),
+            known: stroke.of == Laid::Known,
         })
         .collect();
     force_detail::add(&mut group, &sides, CROWDED, notation);

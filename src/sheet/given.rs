@@ -770,8 +770,8 @@ impl Teller<'_> {
                 }
             });
         }
-        for load in &forces.loads {
-            parts.push(self.load(load));
+        for (index, load) in forces.loads.iter().enumerate() {
+            parts.push(self.load(index, load));
         }
         for spring in &forces.springs {
             let symbol = |letter: &str| Rich::italic(letter).sub(&spring.name);
@@ -908,15 +908,17 @@ impl Teller<'_> {
         all
     }
 
-    fn load(&self, load: &Load) -> Rich {
+    fn load(&self, index: usize, load: &Load) -> Rich {
         let units = &self.n.scene.units;
         let mechanism = self.n.mechanism();
-        let name = Rich::italic(&load.name);
+        let name = super::force_names::load(self.n, index);
         let on = match load.at() {
             Some(at) => self.n.point(at),
             None => Rich::upright(self.n.number(load.link)),
         };
-        let name = name.up("(").then(&on).up(")");
+        // The symbol of a torque without a name says on which link it acts.
+        let says = load.at().is_none() && super::force_names::is_unnamed(self.n, index);
+        let name = if says { name } else { name.up("(").then(&on).up(")") };
         let motion = |with: bool, torque: bool| {
             let velocity = match (torque, load.at()) {
                 (false, Some(at)) => self.n.symbol(Quantity::Velocity(at), false),

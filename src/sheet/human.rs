@@ -78,9 +78,9 @@ fn usual_figures(value: f64) -> usize {
     if value.abs() >= 1000.0 { 4 } else { 3 }
 }
 
-/// Whether a number, rounded as [`number`] rounds, is what stands there for `result`.
-fn rounds_to(reckoned: f64, result: f64) -> bool {
-    agrees(reckoned, finer(result, 0).1, result, 0)
+/// Whether a number, rounded as [`number`] rounds, or with so many figures more, is what stands there for `result`.
+fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
+    agrees(reckoned, finer(result, more).1, result, more)
 }
 
 /// More figures than this no line needs to close.
@@ -93,8 +93,17 @@ pub fn closing<const N: usize>(
     result: f64,
     reckon: impl Fn([f64; N]) -> f64,
 ) -> [Rich; N] {
+    closing_finer(factors, (result, 0), reckon)
+}
+
+/// The same where the result is printed with so many figures more than usual.
+pub fn closing_finer<const N: usize>(
+    factors: [f64; N],
+    (result, finer_by): (f64, usize),
+    reckon: impl Fn([f64; N]) -> f64,
+) -> [Rich; N] {
     let with = |more: usize| factors.map(|factor| finer(factor, more));
-    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result);
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, finer_by);
     let more = (0..=GUARDS).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text)
 }
@@ -106,7 +115,7 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
     let with = |more: usize| factors.iter().map(move |factor| finer(*factor, more));
     let closes = |more: &usize| {
         let written: Vec<f64> = with(*more).map(|(_, written)| written).collect();
-        rounds_to(reckon(&written), result)
+        rounds_to(reckon(&written), result, 0)
     };
     let more = (0..=MOST).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text).collect()

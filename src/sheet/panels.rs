@@ -62,7 +62,8 @@ impl Panel {
         let own = |(index, _): (usize, &AuxiliaryDrawing)| Self::Auxiliary(index);
         all.extend(drawn.into_iter().map(own));
         if let Some(sheet) = &construction.forces {
-            all.extend(ForcePanel::all(sheet).into_iter().map(Self::Force));
+            let told = ForcePanel::all(sheet).into_iter().filter(|panel| panel.is_told(sheet));
+            all.extend(told.map(Self::Force));
         }
         all.extend(levers.into_iter().map(own));
         if let Some(sheet) = &construction.cycle {

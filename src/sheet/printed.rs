@@ -34,6 +34,8 @@ pub enum Key {
     Given(&'static str),
     /// The area on which the pressure of a load acts, by the load's index.
     Area(usize),
+    /// The power of a force or a torque, its moment on a lever.
+    Power(Force),
 }
 
 /// Whether a part of a force is that across the line of a link.
@@ -230,6 +232,13 @@ impl Figures {
         let more = (self.more(key) + 1).min(MOST_MORE);
         let own = self.wanted.entry(key).or_insert(0);
         *own = (*own).max(more);
+    }
+
+    /// Asks for one more figure than usual.
+    pub(super) fn want_one(&mut self, key: Key) {
+        if self.more(key) == 0 {
+            self.want(key);
+        }
     }
 
     /// Asks for one more figure of what is laid off, where as it is printed it is so far off what is drawn, and later read,

@@ -102,12 +102,16 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
         Quantity::Cycle(of) if of.is_energy() => energy_unit(&asked.unit.symbol),
         _ => asked.unit.symbol.clone(),
     };
+    // By the lever, and beside it, it has the figures of its line.
+    let by_lever = |other: &&Asked| other.quantity == asked.quantity && other.method == Method::Lever;
+    let finer = usize::from(notation.mechanism().asked.iter().any(|other| by_lever(&other)));
     let amount = |si: f64| {
         let told = key.and_then(|key| figures.told(key, si));
-        let number = told.map_or_else(
-            || human::number(si / asked.unit.si),
-            |told| human::number_told(told / asked.unit.si, si / asked.unit.si),
-        );
+        let number = match told {
+            _ if finer > 0 => human::limited(told.unwrap_or(si) / asked.unit.si, finer).0,
+            Some(told) => human::number_told(told / asked.unit.si, si / asked.unit.si),
+            None => human::number(si / asked.unit.si),
+        };
         human::with_unit(&number, &unit)
     };
     match &reading.answer {

@@ -3,17 +3,17 @@
 
 use std::cell::RefCell;
 
-use super::forces::{ForcePanel, per_mm, pole};
+use super::forces::{ForcePanel, laid_off_in_parts, per_mm, pole};
 use super::given::{handy, largest};
 use super::human;
 use super::notation::Notation;
-use super::printed::{Figures, Key, either};
+use super::printed::{Figures, Key, Print, either};
 use super::rich::Rich;
 use super::steps::Item;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
-    LoadSize, MassForces, MomentBalance, MomentTerm, SpringTwist, Touch, Trials, Turning,
+    LoadSize, MassForces, MomentBalance, MomentTerm, Parts, SpringTwist, Touch, Trials, Turning,
 };
 use crate::graphical::is_a_point;
 use crate::mechanism::curve::Curve;
@@ -100,7 +100,7 @@ fn numbered(sheet: &ForceSheet, arm: &Arm) -> Option<usize> {
     if last.is_some_and(|last| last == *arm) {
         return None;
     }
-    let all = sheet.moments.iter().chain(&sheet.shaking).chain(&sheet.frame_line);
+    let all = sheet.moments.iter().chain(&sheet.frame_line).chain(&sheet.shaking);
     let arms =
         all.flat_map(|moments| moments.terms.iter().chain([&moments.found])).filter_map(|term| term.arm);
     // Forces on one line have one arm.
@@ -363,7 +363,7 @@ impl Teller<'_> {
                     None => continue,
                 },
             };
-            let name = Rich::italic(&load.name);
+            let name = super::force_names::load(self.n, index);
             let square =
                 Unit { symbol: format!("{}^2", units.length.symbol), si: units.length.si * units.length.si };
             let size = match area {
@@ -471,8 +471,10 @@ impl Teller<'_> {
             LoadKind::Force { size: Size::Pressure { .. }, .. } => {
                 (Rich::italic("p"), handy(&units.pressure, largest(curve)), "Pa")
             }
-            LoadKind::Torque { .. } => (Rich::italic(&load.name), units.torque.clone(), "N\u{a0}m"),
-            _ => (Rich::italic(&load.name), units.force.clone(), "N"),
+            LoadKind::Torque { .. } => {
+                (super::force_names::load(self.n, of.load), units.torque.clone(), "N\u{a0}m")
+            }
+            _ => (super::force_names::load(self.n, of.load), units.force.clone(), "N"),
         };
         let unit = &unit;
         let name = name.up("(").it("θ").up(EQUALS).then(&human::degrees(of.angle)).up(")");
@@ -899,7 +901,7 @@ impl Teller<'_> {
         };
         let mut items = vec![self.head(head)];
         self.hand_on();
-        items.push(Item::Terms(self.balance(body)));
+        items.push(Item::Terms(self.balance(index)));
         if let [one, other] = &body.acting[..]
             && body.torques.is_empty()
         {
@@ -921,7 +923,7 @@ impl Teller<'_> {
         items.extend(drags.map(|rub| Item::Sentence(super::friction::sentence(rub, self.sheet, self.n))));
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
         items.extend(self.governor_body(index, false));
-        items.extend(self.three_forces(index).map(Item::Sentence));
+        items.extend(self.three_forces(index).into_iter().map(Item::Sentence));
         let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
         items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
         // Bodies that are told together: what hangs on forces that only their polygons give comes after these.
@@ -1027,27 +1029,53 @@ impl Teller<'_> {
         later.find(gives).filter(|later| in_parts || together(*later)).unwrap_or(index)
     }
 
-    /// Three forces that meet in a point.
-    fn three_forces(&self, index: usize) -> Option<Rich> {
-        let meet = self.sheet.meets.iter().find(|meet| meet.told == index)?;
-        let body = self.sheet.bodies.get(index)?;
+    /// Three forces that meet in a point: of a force with a couple first how far it is displaced.
+    fn three_forces(&self, index: usize) -> Vec<Rich> {
+        let Some(meet) = self.sheet.meets.iter().find(|meet| meet.told == index) else { return Vec::new() };
+        let Some(body) = self.sheet.bodies.get(index) else { return Vec::new() };
         let (found, known): (Vec<&Acting>, Vec<&Acting>) =
             body.acting.iter().partition(|acting| acting.closes);
         let names = |list: &[&Acting]| {
             let names: Vec<Rich> = list.iter().map(|acting| self.symbol(acting.action)).collect();
             self.n.list(&names)
         };
+        let resultant = super::forces::resultant_name(meet.link, self.n);
+        let couples = super::forces::couples_on(body);
+        let displaced = match (&known[..], &couples[..]) {
+            ([force], [(couple, moment)]) => {
+                let units = &self.n.scene.units;
+                let size = libm::hypot(force.force[0], force.force[1]);
+                let factors = [
+                    Factor::new(moment.abs(), &units.torque, "N·m").of(self.whole(*couple)),
+                    Factor::new(size, &units.force, "N").of(self.whole(Force::Vector(force.action))),
+                ];
+                let formula =
+                    symbol(Turning::Torque(*couple), self.n).up(OVER).then(&self.symbol(force.action));
+                let result = Factor::new(moment.abs() / size, &units.length, "m");
+                let own = Rich::italic("d").sub(&self.n.number(meet.link));
+                let equation = self.line(own, formula, &factors, quotient, |n| n[0] / n[1], result);
+                let parts = [
+                    ("force", self.symbol(force.action)),
+                    ("resultant", resultant.clone()),
+                    ("equation", equation),
+                ];
+                Some(Rich::fill(self.n.words.displaced_by_couple, &parts))
+            }
+            _ => None,
+        };
+        // What was displaced has its new name.
+        let one = displaced.is_some();
         let parts = [
-            ("known", names(&known)),
+            ("known", if one { resultant.clone() } else { names(&known) }),
             ("found", names(&found)),
             ("point", super::forces::meet_name(meet.link, self.n)),
-            ("resultant", super::forces::resultant_name(meet.link, self.n)),
+            ("resultant", resultant),
         ];
         let template = match known.len() {
             0 | 1 => self.n.words.three_forces,
             _ => self.n.words.three_forces_resultant,
         };
-        Some(Rich::fill(template, &parts))
+        displaced.into_iter().chain([Rich::fill(template, &parts)]).collect()
     }
 
     /// How the forces of rolling pairs point that are not known yet.
@@ -1184,7 +1212,7 @@ impl Teller<'_> {
         match of {
             Sought::Load(index) => {
                 let unit = if forces.loads[index].is_torque() { &units.torque } else { &units.force };
-                (Rich::italic(&forces.loads[index].name), unit.clone())
+                (super::force_names::load(self.n, index), unit.clone())
             }
             Sought::Spring(index) => {
                 let spring = &forces.springs[index];
@@ -1308,7 +1336,8 @@ impl Teller<'_> {
     }
 
     /// The balance with the table of its terms.
-    fn balance(&self, body: &FreeBody) -> Table {
+    fn balance(&self, index: usize) -> Table {
+        let body = &self.sheet.bodies[index];
         let words = self.n.words;
         let unit = &self.n.scene.units.force;
         let label = |word: &str| Rich::italic(word);
@@ -1339,6 +1368,13 @@ impl Teller<'_> {
                 let sign = if back.is_some() { "−" } else { "+" };
                 column(Rich::upright(sign), [Rich::default(), Rich::default()]);
             }
+            if let (Some(parts), true) = (acting.parts, acting.known != Knowledge::Full) {
+                let [across, along] = self.columns_of_parts(index, acting, parts);
+                column(across.0, across.1);
+                column(Rich::upright("+"), [Rich::default(), Rich::default()]);
+                column(along.0, along.1);
+                continue;
+            }
             let size = libm::hypot(acting.force[0], acting.force[1]);
             let told = match acting.known {
                 Knowledge::Full => {
@@ -1365,6 +1401,36 @@ impl Teller<'_> {
         column(Rich::upright("="), [Rich::default(), Rich::default()]);
         column(Rich::upright("0"), [Rich::default(), Rich::default()]);
         table
+    }
+
+    /// The columns of the parts of a force of which moments give one or both: across the line from another pin, and along it.
+    fn columns_of_parts(&self, index: usize, acting: &Acting, parts: Parts) -> [(Rich, [Rich; 2]); 2] {
+        let unit = &self.n.scene.units.force;
+        let column = |part: [f64; 2], is_across: bool| {
+            let (mark, sign) = match is_across {
+                true => (self.n.profile.tangential, "⊥\u{a0}"),
+                false => (self.n.profile.normal, "∥\u{a0}"),
+            };
+            let key = match is_across {
+                true => self.part_key(acting.action),
+                false => Key::Part(either(acting.action), false),
+            };
+            let mut before = self.sheet.moments.iter().filter(|moments| moments.told < index);
+            let told = match before.any(|moments| self.key_of(moments.found.of) == key) {
+                true => {
+                    let size = libm::hypot(part[0], part[1]);
+                    Rich::tick().gap(0.15).then(&self.figures.borrow_mut().tell(key, size, unit))
+                }
+                false => Rich::upright(self.n.words.unknown),
+            };
+            let [from, to] = parts.line;
+            let line = match parts.touches {
+                true => Rich::tick(),
+                false => Rich::upright(sign).then(&self.n.length(from, to)),
+            };
+            (super::force_names::part(self.n, acting.action, mark), [told, line])
+        };
+        [column(parts.across, true), column(parts.along, false)]
     }
 
     /// Moments about a point: the measured arms, and the quotient or sum with its numbers.
@@ -1657,9 +1723,19 @@ impl Teller<'_> {
         let along = |of: &Turning| if let Turning::Along(action) = of { Some(*action) } else { None };
         let parted = |acting: &Acting| found.len() > 1 && told(across, acting) && !told(along, acting);
         let part = |acting: &Acting, mark: &str| super::force_names::part(self.n, acting.action, mark);
+        let panel = ForcePanel::Polygon(index);
+        let in_parts = |acting: &Acting| laid_off_in_parts(self.sheet, panel, acting);
+        let marks = [self.n.profile.tangential, self.n.profile.normal];
+        // Moments gave a part of the force with which the other link acts: this one is that turned round.
+        for acting in known.iter().filter(|acting| in_parts(acting).is_some()) {
+            lines.extend(self.part_turned_round(acting));
+        }
         let beforehand: Vec<Rich> = known
             .iter()
-            .map(|acting| self.symbol(acting.action))
+            .flat_map(|acting| match in_parts(acting) {
+                Some(_) => marks.iter().map(|mark| part(acting, mark)).collect(),
+                None => vec![self.symbol(acting.action)],
+            })
             .chain(
                 found
                     .iter()
@@ -1686,18 +1762,30 @@ impl Teller<'_> {
                 lines.push(self.short(acting));
             }
         }
-        // Of what moments gave in two parts the whole is read.
-        let in_parts = |action: Action| {
-            let parts = self.sheet.moments.iter().map(|moments| moments.found.of);
-            parts.into_iter().any(|of| matches!(of, Turning::Across(other) if other == action))
-        };
-        for acting in known.into_iter().filter(|acting| in_parts(acting.action)) {
-            lines.push(self.read(acting, per_mm));
-        }
-        for acting in found {
+        // Of what is laid off in two parts the whole is read.
+        for acting in known.into_iter().filter(|acting| in_parts(acting).is_some()).chain(found) {
+            if in_parts(acting).is_some() {
+                let parts = marks.map(|mark| part(acting, mark));
+                let sum = Rich::join(&parts, &Rich::upright(" + "));
+                lines.push(self.symbol(acting.action).up(EQUALS).then(&sum).up("."));
+            }
             lines.push(self.read(acting, per_mm));
         }
         lines
+    }
+
+    /// A part of a force that moments gave as that of its reaction.
+    fn part_turned_round(&self, acting: &Acting) -> Vec<Rich> {
+        let all = self.sheet.moments.iter().filter_map(|moments| match moments.found.of {
+            Turning::Across(of) => Some((of, self.n.profile.tangential)),
+            Turning::Along(of) => Some((of, self.n.profile.normal)),
+            _ => None,
+        });
+        let turned = all.filter(|(of, _)| either(*of) == either(acting.action) && *of != acting.action);
+        let named = |action: Action, mark: &str| super::force_names::part(self.n, action, mark);
+        turned
+            .map(|(of, mark)| named(acting.action, mark).up(EQUALS).up("−").then(&named(of, mark)).up("."))
+            .collect()
     }
 
     fn short(&self, acting: &Acting) -> Rich {
@@ -1729,7 +1817,10 @@ impl Teller<'_> {
         let unit = &self.n.scene.units.force;
         let factor = per_mm / unit.si;
         let (mut figures, key) = (self.figures.borrow_mut(), self.whole(Force::Vector(acting.action)));
-        let (reading, amount, written) = human::reading_at(mm, factor, size / unit.si, figures.more(key));
+        // What another line has told is read as it stands there.
+        let own = figures.print_of(key).filter(|print| print.unit == *unit).map(Print::si);
+        let read = own.unwrap_or(size) / unit.si;
+        let (reading, amount, written) = human::reading_at(mm, factor, read, figures.more(key));
         figures.note(key, &amount, (written, size / unit.si), unit);
         let reading = reading
             .up(TIMES)
@@ -1765,7 +1856,9 @@ impl Teller<'_> {
 
     /// The shaking force, and its line by moments about the first fixed pivot.
     fn shaking(&self) -> Vec<Item> {
-        let Some(shaking) = &self.sheet.shaking else { return Vec::new() };
+        let Some(shaking) = self.sheet.shaking.as_ref().filter(|_| self.sheet.asks_shaking) else {
+            return Vec::new();
+        };
         let head = self.head(Rich::upright(self.n.words.shaking_figure));
         let sum = self.sum(Action::Shaking, &self.sheet.inertia, ForcePanel::Shaking);
         let line = self.line_of_sum(Action::Shaking, &self.sheet.inertia, shaking);
@@ -1821,6 +1914,7 @@ impl Teller<'_> {
                 known: Knowledge::Full,
                 closes: true,
                 with_couple: false,
+                parts: None,
             };
             items.push(Item::Sentence(self.read(&acting, per_mm)));
         }

@@ -238,8 +238,9 @@ impl Draughtsman<'_> {
                     }
                 }
             }
-            let along = match layout.sleeve {
-                Some((sleeve, slide)) => Some(self.along_guide(layout, &bodies[place(sleeve)?], slide)?),
+            let sleeve = layout.sleeve.and_then(|(sleeve, slide)| Some((place(sleeve)?, slide)));
+            let along = match sleeve {
+                Some((sleeve, slide)) => Some(self.along_guide(layout, &bodies[sleeve], slide)?),
                 None => None,
             };
             let omega = match layout.spin.omega {
@@ -370,6 +371,10 @@ impl Draughtsman<'_> {
                 }
             }
             body.acting.retain(|acting| acting.force != [0.0; 2]);
+            // A sleeve that bears nothing, and what ties it to the arm.
+            if body.acting.is_empty() {
+                continue;
+            }
             body.acting.sort_by_key(|acting| acting.closes);
             // Of a bar to the frame nothing is found yet but the line of its force.
             if layout.to_frame.through != Some(link) {

@@ -6,7 +6,9 @@ use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::construction::About as Told;
-use super::super::construction::{Acting, Arm, FreeBody, MassForces, MomentBalance, MomentTerm, Turning};
+use super::super::construction::{
+    Acting, Arm, FreeBody, Knowledge, MassForces, MomentBalance, MomentTerm, Parts, Turning,
+};
 use super::super::draughtsman::Draughtsman;
 use super::super::pose::Track;
 use super::{About, Holder, Taken, TakenFor};
@@ -25,6 +27,13 @@ pub(super) fn same_pair(one: Action, other: Action) -> bool {
         other => other,
     };
     key(one) == key(other)
+}
+
+/// A force at a pin, where it acts, and its parts across a line and along it.
+struct Split {
+    action: Action,
+    at: Point,
+    parts: [super::Pull; 2],
 }
 
 /// Moments with friction close to this part of the largest, which is what the last pass may leave.
@@ -227,29 +236,9 @@ impl Draughtsman<'_> {
                 found = self.moment_term(action, about, Some(at));
             }
             TakenFor::Across { pin, by, on, from } | TakenFor::Along { pin, by, on, from, .. } => {
-                let action = self.force_at_pin(pin, by, on);
+                let split = self.split_at_pin(taken, (pin, [by, on], from), &balance)?;
+                let Split { action, at, parts: [part_across, part_along] } = split;
                 without.push(action);
-                let items = self.items_of(action, self.told).ok()?;
-                let whole = self.sum_of(&items);
-                let at = self.inner_touch(&balance, pin, [by, on]);
-                let other = if taken.links.contains(&by) { on } else { by };
-                let based = match taken.found {
-                    TakenFor::Across { .. } => first,
-                    // Of a driven lever it is the lever that turns about the base.
-                    _ => {
-                        let members =
-                            balance.members.iter().map(|(links, _)| links).find(|l| l.contains(&other));
-                        members.and_then(|links| links.first().copied()).unwrap_or(other)
-                    }
-                };
-                let base = self.touch_at(&balance, from, based);
-                let reason = self.reason(&[by, on]);
-                let (along, _) = self.board.toward(base, at, reason);
-                let line = Line { through: whole.tail, along };
-                let [size, _] = self.board.square_off(line, whole.head);
-                let foot = self.board.step_off(whole.tail, along, size);
-                let part_along = super::Pull { tail: whole.tail, head: foot };
-                let part_across = super::Pull { tail: foot, head: whole.head };
                 match taken.found {
                     TakenFor::Along { whole: all, .. } => {
                         if !all {
@@ -472,6 +461,61 @@ impl Draughtsman<'_> {
             found,
             carried,
         }))
+    }
+
+    /// The force between two links at a pin, and its parts across the line from another pin and along it.
+    fn split_at_pin(
+        &mut self,
+        taken: &Taken,
+        (pin, [by, on], from): (PointId, [LinkId; 2], PointId),
+        balance: &super::Balance,
+    ) -> Option<Split> {
+        let action = self.force_at_pin(pin, by, on);
+        let items = self.items_of(action, self.told).ok()?;
+        let whole = self.sum_of(&items);
+        let at = self.inner_touch(balance, pin, [by, on]);
+        let other = if taken.links.contains(&by) { on } else { by };
+        let based = match taken.found {
+            TakenFor::Across { .. } => *taken.links.first()?,
+            // Of a driven lever it is the lever that turns about the base.
+            _ => {
+                let members = balance.members.iter().map(|(links, _)| links).find(|l| l.contains(&other));
+                members.and_then(|links| links.first().copied()).unwrap_or(other)
+            }
+        };
+        let base = self.touch_at(balance, from, based);
+        let reason = self.reason(&[by, on]);
+        let (along, _) = self.board.toward(base, at, reason);
+        let line = Line { through: whole.tail, along };
+        let [size, _] = self.board.square_off(line, whole.head);
+        let foot = self.board.step_off(whole.tail, along, size);
+        let along = super::Pull { tail: whole.tail, head: foot };
+        let across = super::Pull { tail: foot, head: whole.head };
+        Some(Split { action, at, parts: [across, along] })
+    }
+
+    /// Notes at the bodies of which forces moments have given a part, and what the parts are.
+    pub(super) fn parts_told(&mut self, taken: &[Taken], moments: &[MomentBalance], bodies: &mut [FreeBody]) {
+        let Some((_, balance)) = self.balances.iter().find(|(share, _)| *share == self.told) else { return };
+        let balance = balance.clone();
+        for taken in taken {
+            let TakenFor::Across { pin, by, on, from } = taken.found else { continue };
+            let Some(split) = self.split_at_pin(taken, (pin, [by, on], from), &balance) else { continue };
+            if !moments.iter().any(|moments| moments.found.of == Turning::Across(split.action)) {
+                continue;
+            }
+            let touches = [pin, from].iter().any(|pin| Self::rubs_at(&balance, *pin));
+            let [across, along] = split.parts.map(|part| self.components_of(part).map(|part| part.value()));
+            let all = bodies.iter_mut().flat_map(|body| &mut body.acting);
+            let open = all.filter(|acting| acting.known != Knowledge::Full);
+            for acting in open.filter(|acting| same_pair(acting.action, split.action)) {
+                let [x, y] = [0, 1].map(|axis| across[axis] + along[axis]);
+                // Of the reaction both are turned round.
+                let sign = if x * acting.force[0] + y * acting.force[1] < 0.0 { -1.0 } else { 1.0 };
+                let [across, along] = [across, along].map(|part| part.map(|part| sign * part));
+                acting.parts = Some(Parts { across, along, line: [from, pin], touches });
+            }
+        }
     }
 
     /// The pin of what rides in the guide whose force these moments give.

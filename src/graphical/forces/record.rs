@@ -147,9 +147,10 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     };
     let trial = trial.filter(|_| !moments.iter().any(by_moments));
     let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
+    d.parts_told(&taken, &moments, &mut bodies);
     let members = members.into_iter().filter_map(|member| d.member_told(member, &bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
-    let frame = if everything && d.asks_frame() { d.on_frame_told() } else { Vec::new() };
+    let frame = if everything && d.asks_for(Action::OnFrame) { d.on_frame_told() } else { Vec::new() };
     let frame_line = if frame.is_empty() { None } else { d.frame_line_told(&frame) };
     let told: Vec<MomentBalance> = moments.iter().chain(&shaking).chain(&frame_line).cloned().collect();
     let arms = d.arms_asked(&told);
@@ -178,6 +179,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
         whole,
         inertia,
         shaking,
+        asks_shaking: d.asks_for(Action::Shaking),
         frame,
         frame_line,
         trial,
@@ -521,7 +523,8 @@ impl Draughtsman<'_> {
         let per_mm = self.length_scale().si_per_mm;
         let [at, foot] = [at, foot].map(|place| place.map(|mm| mm * per_mm));
         let through = if with_couple { at } else { foot };
-        Some(Acting { action, at, through, force, known, closes: known != Knowledge::Full, with_couple })
+        let closes = known != Knowledge::Full;
+        Some(Acting { action, at, through, force, known, closes, with_couple, parts: None })
     }
 
     /// The force of a pair that rubs, as it stands on the paper.
@@ -1014,16 +1017,11 @@ impl Draughtsman<'_> {
         all
     }
 
-    /// Whether somebody asks what the frame feels.
-    fn asks_frame(&self) -> bool {
-        self.mechanism.asked.iter().any(|asked| {
-            let Quantity::Force(force, _) = asked.quantity else { return false };
-            matches!(
-                force,
-                Force::Vector(Action::OnFrame)
-                    | Force::Moment(Action::OnFrame, _)
-                    | Force::Arm(Action::OnFrame, _)
-            )
+    /// Whether somebody asks for a force, its moment or its arm.
+    fn asks_for(&self, action: Action) -> bool {
+        self.mechanism.asked.iter().any(|asked| match asked.quantity {
+            Quantity::Force(Force::Vector(of) | Force::Moment(of, _) | Force::Arm(of, _), _) => of == action,
+            _ => false,
         })
     }
 
