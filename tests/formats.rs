@@ -305,9 +305,9 @@ fn a_question_tells_methods_and_ratios_apart() {
     let lines: Vec<&str> =
         pages.iter().flat_map(|page| list(page, "texts")).map(|t| t["text"].as_str().unwrap()).collect();
     for told in [
-        "the velocity VB\u{a0}(gauge line, link to link)",
-        "the angular velocity ω4\u{a0}(centres, line of centres)",
-        "the ratios ω4/ω2\u{a0}(centres) and T4/T2\u{a0}(centres)",
+        "the velocity VB\u{a0}(by gauge line, link to link)",
+        "the angular velocity ω4\u{a0}(by instant centres, line of centres)",
+        "the ratios ω4/ω2\u{a0}(by instant centres) and T4/T2\u{a0}(by instant centres)",
     ] {
         assert!(lines.contains(&told), "{told} is not among {lines:?}");
     }

@@ -149,9 +149,10 @@ pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich
     if let Some((read, decimals)) = closing.next() {
         return (shown(read, decimals), wanted, written);
     }
-    // No ruler reads finer: the result is that of what was read.
-    let (amount, written) = limited(to(finest) * factor, more);
-    (shown(to(finest), finest), amount, written)
+    // No ruler reads finer: the result is that of what was read, with the guard where more figures are asked for.
+    let decimals = if more > 0 { (finest + 1).min(3) } else { finest };
+    let (amount, written) = limited(to(decimals) * factor, more);
+    (shown(to(decimals), decimals), amount, written)
 }
 
 /// Readings on paper as finely as what is reckoned from them needs, to the hundredth of a millimetre at most.
