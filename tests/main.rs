@@ -43,6 +43,7 @@ mod grade;
 mod grade_follows;
 mod grade_names;
 mod grade_room;
+mod grade_skeleton;
 mod groups;
 #[path = "hard/main.rs"]
 mod hard;

@@ -6,9 +6,11 @@ use super::measured::Measured;
 use super::{ExamError, Flaw, Loose, Terms, Variant};
 use crate::check::confirm;
 use crate::graphical::DrawError;
-use crate::graphical::construction::{Act, Construction};
+use crate::graphical::construction::{
+    Act, Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found,
+};
 use crate::mechanism::quantity::Answer;
-use crate::mechanism::{Mechanism, Place, PointId};
+use crate::mechanism::{LinkId, Mechanism, Place, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
 use crate::sheet::{self, Figure, Language};
@@ -280,14 +282,38 @@ fn extent(places: &Places) -> f64 {
     f64::max(along(0), along(1)).max(0.0)
 }
 
-/// The flattest crossing of arcs and lines of a drawing, radians.
+/// The angle at which the two lines cross in which an instant centre was found, radians.
+fn crossing_at(circle: &CircleDiagram, centre: &Centre) -> Option<f64> {
+    let Found::Kennedy { lines } = centre.found else { return None };
+    let along = |line: CentreLine| {
+        let CentreLine::Via(third) = line else { return None };
+        let place = |link: LinkId| {
+            let centre = circle.centre([link.min(third), link.max(third)]);
+            centre.map(|centre| centre.place)
+        };
+        match (place(centre.links[0])?, place(centre.links[1])?) {
+            (CentrePlace::At(a), CentrePlace::At(b)) => Some([b[0] - a[0], b[1] - a[1]]),
+            (CentrePlace::Toward(along), CentrePlace::At(_))
+            | (CentrePlace::At(_), CentrePlace::Toward(along)) => Some(along),
+            (CentrePlace::Toward(_), CentrePlace::Toward(_)) => None,
+        }
+    };
+    let (a, b) = (along(lines[0])?, along(lines[1])?);
+    let sine = (a[0] * b[1] - a[1] * b[0]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]));
+    Some(libm::asin(sine.abs().min(1.0))).filter(|_| sine.is_finite())
+}
+
+/// The flattest crossing of arcs and lines of a drawing, those of instant centres among them, radians.
 fn flattest(construction: &Construction) -> Option<f64> {
     let acts = construction.steps.iter().flat_map(|step| &step.acts);
     let crossings = acts.filter_map(|act| match act {
         Act::MarkIntersection { crossing, .. } | Act::MarkMeet { crossing, .. } => Some(*crossing),
         _ => None,
     });
-    crossings.reduce(f64::min)
+    let circle = construction.circle.iter();
+    let centres =
+        circle.flat_map(|circle| circle.centres.iter().filter_map(|centre| crossing_at(circle, centre)));
+    crossings.chain(centres).reduce(f64::min)
 }
 
 /// Refuses what does not fit the page. Scales that the sheet chooses are chosen to fit; only where the scene

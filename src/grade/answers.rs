@@ -3,7 +3,9 @@
 
 use std::borrow::Cow;
 
-use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_numbers, with_plain_sense};
+use super::digits::{
+    refuse_decimal_comma, with_plain_digits, with_plain_numbers, with_plain_sense, with_plain_unit,
+};
 use super::scan::Scan;
 use crate::limits;
 use crate::mechanism::Sense;
@@ -307,6 +309,9 @@ fn read_digits(value: &mut Value<'_>, key: Option<&str>) -> Res<()> {
                 *text = plain;
             }
             if let Cow::Owned(plain) = with_plain_sense(text) {
+                *text = plain;
+            }
+            if let Cow::Owned(plain) = with_plain_unit(text) {
                 *text = plain;
             }
             refuse_decimal_comma(text, value.at)?;

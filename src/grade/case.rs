@@ -1102,12 +1102,49 @@ impl<'s> Case<'s> {
         of.includes(quantity)
             && match of {
                 Which::Read(_) => !self.ground.is_calculated(quantity),
+                Which::Measured(_) => !self.ground.is_calculated(quantity) && !self.is_carried(quantity),
                 Which::Found(_) => {
                     let sum = matches!(*quantity, Quantity::Acceleration(point) if driven(point));
                     !sum && !self.ground.is_calculated(quantity)
                 }
                 _ => true,
             }
+    }
+
+    /// Whether a vector is calculated by the rate of its link, which was found before it.
+    fn is_carried(&self, quantity: &Quantity) -> bool {
+        let carries = |act: &Act| match (act, quantity) {
+            (Act::Calculate(Calculation::Speed { quantity: of, .. }), _) => of == quantity,
+            (
+                Act::Calculate(Calculation::Tangential { quantity: Quantity::Tangential(of), .. }),
+                Quantity::Acceleration(point),
+            ) => of == point,
+            (Act::Calculate(Calculation::Tangential { quantity: of, .. }), _) => of == quantity,
+            _ => false,
+        };
+        self.right.construction.steps.iter().flat_map(|step| &step.acts).any(carries)
+    }
+
+    /// Whether a point is one of a link.
+    pub(super) fn holds(&self, link: LinkId, point: PointId) -> bool {
+        self.mechanism.link(link).points.contains(&point)
+    }
+
+    /// Whether an answer tells a vector with its direction.
+    pub(super) fn is_vector(&self, index: usize) -> bool {
+        matches!(self.observations[index].given, Given::Vector(_))
+    }
+
+    /// How many times longer than it should be an answer is, where that is a vector that is read off a polygon and not
+    /// calculated.
+    pub(super) fn lengthened(&self, index: usize, order: Order) -> Option<f64> {
+        let observation = &self.observations[index];
+        let right = self.truth[index].as_deref().map_or(0.0, size);
+        let measured = |quantity: &Quantity| self.includes(Which::Measured(order), quantity);
+        let wanted = matches!(observation.target, Target::Asked(_))
+            && !observation.on_paper
+            && observation.quantity.as_ref().is_some_and(measured);
+        (wanted && right > self.rooms[index].by).then(|| self.given_size(index) / right)
     }
 
     /// How much a change of readings alone multiplies each answer.
@@ -1355,7 +1392,7 @@ impl<'s> Case<'s> {
     }
 
     /// How large an answer is, SI.
-    fn given_size(&self, index: usize) -> f64 {
+    pub(super) fn given_size(&self, index: usize) -> f64 {
         match self.observations[index].given {
             Given::Magnitude(given) | Given::Drawn(given) | Given::Signed(given) => given.abs(),
             Given::Vector(given) => size(&given),

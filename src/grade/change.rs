@@ -10,7 +10,7 @@ use crate::mechanism::cycle::{Course, RotatingInertia, Sides};
 use crate::mechanism::force::{Inertia, LoadKind, Pointing, Pressure, Size, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
-use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Roll};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Roll, Sense};
 
 /// All that one mistake, or several together, change.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -45,6 +45,10 @@ pub(super) enum InputChange {
     Length { link: LinkId, ends: [usize; 2], factor: f64 },
     /// Every length is multiplied; the given speeds of points and slides as well, or not.
     Lengths { factor: f64, speeds: bool },
+    /// The arm from a link's first joint to another of its points, by its place in it, is multiplied and turned ccw, radians.
+    Arm { link: LinkId, end: usize, factor: f64, turn: f64 },
+    /// A straight guide, by its index among the slides, lies so far to its left, metres, and is turned ccw, radians.
+    Guide { slide: usize, across: f64, turn: f64 },
     /// A fixed point stands so far from its place, metres.
     Pivot { point: PointId, by: [f64; 2] },
     /// A load, by its index, is multiplied.
@@ -134,6 +138,8 @@ pub(super) enum Which {
     Read(Order),
     /// Of these what is not the sum of two parts that are given.
     Found(Order),
+    /// Of those that are read what is measured, and not calculated by the rate of its link.
+    Measured(Order),
     /// All angular velocities.
     Omegas,
 }
@@ -178,6 +184,10 @@ impl Change {
                 InputChange::Rates { omega, alpha } => drive(mechanism.to_mut(), omega, alpha),
                 InputChange::Angle { input, by } => turn(mechanism.to_mut(), input, by),
                 InputChange::Length { link, ends, factor } => stretch(mechanism.to_mut(), link, ends, factor),
+                InputChange::Arm { link, end, factor, turn } => {
+                    swing(mechanism.to_mut(), (link, end), factor, turn);
+                }
+                InputChange::Guide { slide, across, turn } => shift(mechanism.to_mut(), slide, across, turn),
                 InputChange::Lengths { factor, speeds } => enlarge(mechanism.to_mut(), factor, speeds),
                 InputChange::Pivot { point, by } => {
                     if let Some(Place::Fixed(at)) =
@@ -285,6 +295,46 @@ fn stretch(mechanism: &mut Mechanism, link: LinkId, ends: [usize; 2], factor: f6
     *length = length.times(factor);
 }
 
+/// A point of a link elsewhere about the link's first joint, where the link is given by more than a length.
+fn swing(mechanism: &mut Mechanism, (link, end): (LinkId, usize), factor: f64, turn: f64) {
+    let Some(link) = mechanism.links.get_mut(link.0) else { return };
+    match &mut link.form {
+        Form::Arms { third, angle, .. } if end == 2 => {
+            *third = third.times(factor);
+            *angle = Given::exact(angle.value + turn);
+        }
+        Form::Sides { first_second, second_third, third_first, turn: sense } if end == 2 => {
+            let (base, far, arm) = (first_second.value, second_third.value, third_first.value);
+            let cosine = (base * base + arm * arm - far * far) / (2.0 * base * arm);
+            let angle = libm::acos(cosine.clamp(-1.0, 1.0));
+            let angle = if *sense == Sense::Ccw { angle } else { -angle } + turn;
+            let arm = arm * factor;
+            let square = base * base + arm * arm - 2.0 * base * arm * libm::cos(angle);
+            *second_third = Given::exact(square.max(0.0).sqrt());
+            *third_first = Given::exact(arm);
+            *sense = if libm::sin(angle) < 0.0 { Sense::Cw } else { Sense::Ccw };
+        }
+        Form::Shape(points) => {
+            let Some(&base) = points.first() else { return };
+            let Some(point) = points.get_mut(end).filter(|_| end > 0) else { return };
+            let [x, y] = [0, 1].map(|axis| point[axis].value - base[axis].value);
+            let (sin, cos) = (factor * libm::sin(turn), factor * libm::cos(turn));
+            let own = [cos * x - sin * y, sin * x + cos * y];
+            *point = [0, 1].map(|axis| Given::exact(base[axis].value + own[axis]));
+        }
+        _ => {}
+    }
+}
+
+/// A straight guide elsewhere.
+fn shift(mechanism: &mut Mechanism, slide: usize, across: f64, turn: f64) {
+    let path = mechanism.slides.get_mut(slide).map(|slide| &mut slide.guide.path);
+    if let Some(Path::Straight { turned, offset, .. }) = path {
+        *offset = Given::exact(offset.value + across);
+        *turned = Given::exact(turned.value + turn);
+    }
+}
+
 /// The same mechanism, larger.
 fn enlarge(mechanism: &mut Mechanism, factor: f64, speeds: bool) {
     let grow = |length: &mut Given| *length = length.times(factor);
@@ -385,7 +435,7 @@ impl Which {
             Self::Vectors(order) => vector && quantity.order() == order,
             Self::AllVectors => vector,
             Self::AllLinear => vector || matches!(quantity, Quantity::Rub(..)),
-            Self::Read(order) | Self::Found(order) => {
+            Self::Read(order) | Self::Found(order) | Self::Measured(order) => {
                 let calculated = matches!(
                     quantity,
                     Quantity::RelativeNormal(..)

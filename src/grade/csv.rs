@@ -3,7 +3,7 @@
 use super::answers::{
     Answers, FigurePoints, directed, drawn, on_paper, order_of, quantity as asked_by, scalar, turned, vector,
 };
-use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_sense};
+use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_sense, with_plain_unit};
 use crate::limits;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::scene::Scene;
@@ -224,7 +224,8 @@ fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
         let text = bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\""));
         // The name of a person stays as it is.
         let named = row.first().is_some_and(|(key, _): &(String, usize)| key.eq_ignore_ascii_case("student"));
-        let text = if named { text } else { with_plain_sense(&with_plain_digits(&text)).into_owned() };
+        let typed = |text: &str| with_plain_unit(&with_plain_sense(&with_plain_digits(text))).into_owned();
+        let text = if named { text } else { typed(&text) };
         let text = if parted { with_point(&text) } else { text };
         row.push((text, start + from + blanks));
     };

@@ -3,7 +3,9 @@
 
 use std::borrow::Cow;
 
+use crate::mechanism::Sense;
 use crate::scene::diagnostic::{Fault, Res};
+use crate::scene::units::{Scale, Words};
 
 /// The same text with the digits of ASCII, `٫` as the decimal point, `٬` left out between digits, a printed minus sign as
 /// a hyphen, and `°` as the name of that unit.
@@ -61,7 +63,7 @@ pub(super) fn with_plain_sense(text: &str) -> Cow<'_, str> {
 }
 
 /// How people write a sense, what holds another before it.
-const SENSES: [(&str, &str); 9] = [
+const SENSES: [(&str, &str); 19] = [
     ("counter clockwise", "ccw"),
     ("counter-clockwise", "ccw"),
     ("counterclockwise", "ccw"),
@@ -71,6 +73,87 @@ const SENSES: [(&str, &str); 9] = [
     ("ccw", "ccw"),
     ("clockwise", "cw"),
     ("cw", "cw"),
+    ("بعكس عقارب الساعة", "ccw"),
+    ("عكس عقارب الساعة", "ccw"),
+    ("باتجاه عقارب الساعة", "cw"),
+    ("في اتجاه عقارب الساعة", "cw"),
+    ("اتجاه عقارب الساعة", "cw"),
+    ("مع عقارب الساعة", "cw"),
+    ("پادساعتگرد", "ccw"),
+    ("ساعتگرد", "cw"),
+    ("↺", "ccw"),
+    ("↻", "cw"),
+];
+
+/// The same text with its unit as scenes write it, where people write it otherwise: `N m` and `Nm`, `rad/sec`, `1/s`.
+pub(super) fn with_plain_unit(text: &str) -> Cow<'_, str> {
+    let words = Words::split(text);
+    let unit = words.as_ref().map_or(text.trim(), |words| words.unit);
+    if unit.is_empty() || Scale::parse(unit, 0).is_ok() {
+        return Cow::Borrowed(text);
+    }
+    let plain = plain_unit(unit);
+    match (Scale::parse(&plain, 0).is_ok(), words) {
+        (false, _) => Cow::Borrowed(text),
+        (true, None) => Cow::Owned(plain),
+        (true, Some(words)) => {
+            let sense = match words.sense {
+                Some(Sense::Cw) => " cw",
+                Some(Sense::Ccw) => " ccw",
+                None => "",
+            };
+            Cow::Owned(format!("{} {plain}{sense}", words.digits))
+        }
+    }
+}
+
+/// A unit whose factors, powers and names are written as scenes write them.
+fn plain_unit(unit: &str) -> String {
+    let unit = unit.replace('×', "*");
+    let (before, power) = INVERSE
+        .iter()
+        .find_map(|(end, power)| Some((unit.strip_suffix(end)?, *power)))
+        .unwrap_or((&unit, ""));
+    let mut plain = String::new();
+    for part in before.trim_end_matches([' ', '*']).split_inclusive(['/', '*']) {
+        let factor = part.trim_end_matches(['/', '*']);
+        let (name, exponent) = factor.split_at(factor.find(['^', '²']).unwrap_or(factor.len()));
+        let name = name.trim();
+        let known = UNITS.iter().find(|(written, _)| *written == name || *written == name.to_lowercase());
+        plain.push_str(known.map_or(name, |(_, ours)| ours));
+        plain.push_str(exponent);
+        plain.push_str(&part[factor.len()..]);
+    }
+    // What turns by a number in a second turns by radians.
+    if plain.is_empty() || plain == "1" {
+        plain = "rad".to_owned();
+    }
+    plain.strip_prefix("1/").map_or(plain.clone(), |rest| format!("rad/{rest}")) + power
+}
+
+/// Seconds behind a unit, as a power with a minus sign.
+const INVERSE: [(&str, &str); 4] = [("s^-1", "/s"), ("s^-2", "/s^2"), ("s⁻¹", "/s"), ("s⁻²", "/s^2")];
+
+/// Names of units as people write them, and as scenes do.
+const UNITS: [(&str, &str); 18] = [
+    ("Nm", "N*m"),
+    ("N m", "N*m"),
+    ("N.m", "N*m"),
+    ("N-m", "N*m"),
+    ("kNm", "kN*m"),
+    ("kN m", "kN*m"),
+    ("kN.m", "kN*m"),
+    ("Ncm", "N*cm"),
+    ("N cm", "N*cm"),
+    ("Nmm", "N*mm"),
+    ("N mm", "N*mm"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("seconds", "s"),
+    ("rpm", "rpm"),
+    ("rad", "rad"),
+    ("degrees", "deg"),
+    ("degree", "deg"),
 ];
 
 /// The digit of ASCII for one of Persian or Arabic.
@@ -160,8 +243,39 @@ mod tests {
             ("CW", "cw"),
             ("5 CCW", "5 ccw"),
             ("5 xcw", "5 xcw"),
+            ("5 rad/s بعكس عقارب الساعة", "5 rad/s ccw"),
+            ("5 rad/s مع عقارب الساعة", "5 rad/s cw"),
+            ("5 rad/s پادساعتگرد", "5 rad/s ccw"),
+            ("5 rad/s ساعتگرد", "5 rad/s cw"),
+            ("5 rad/s ↻", "5 rad/s cw"),
         ] {
             assert_eq!(with_plain_sense(typed), plain);
+        }
+    }
+
+    #[test]
+    fn units_as_people_write_them() {
+        for (typed, plain) in [
+            ("117 Nm cw", "117 N*m cw"),
+            ("117 N m", "117 N*m"),
+            ("1.2 kNm", "1.2 kN*m"),
+            ("117 N.m ccw", "117 N*m ccw"),
+            ("30 Ncm", "30 N*cm"),
+            ("5 rad/sec", "5 rad/s"),
+            ("5 m/sec^2", "5 m/s^2"),
+            ("5 1/s", "5 rad/s"),
+            ("5 s^-1", "5 rad/s"),
+            ("5 s⁻²", "5 rad/s^2"),
+            ("5 m s^-2", "5 m/s^2"),
+            ("120 RPM", "120 rpm"),
+            ("5 Rad/s", "5 rad/s"),
+            ("Nm", "N*m"),
+            ("5 nm", "5 nm"),
+            ("5 N·m", "5 N·m"),
+            ("5 parsec", "5 parsec"),
+            ("v(B)", "v(B)"),
+        ] {
+            assert_eq!(with_plain_unit(typed), plain);
         }
     }
 

@@ -12,6 +12,8 @@ use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 
 /// A value that is found, not one of those that are usual: it must explain so many wrong answers at least.
 const LEAST: usize = 3;
+/// Where two numbers are found it must explain so many vectors, with their directions.
+const VECTORS: usize = 2;
 /// What a found number costs.
 const FOUND: f64 = 3.0;
 /// So often the value is mended.
@@ -22,6 +24,8 @@ const SOON: usize = 2;
 const NUDGE: f64 = 1e-4;
 /// No more than this part of the whole is laid off otherwise by mistake.
 const MOST: f64 = 0.4;
+/// A point that closes no loop may stand farther from its place: parts of its arm, and radians.
+const FREELY: f64 = 2.0;
 /// Nine of ten answers come this near, in tolerances.
 const NEAR: f64 = 1.25;
 
@@ -34,6 +38,12 @@ enum Laid {
     Length(LinkId, [usize; 2]),
     /// The angle of an input.
     Angle(usize),
+    /// A straight guide, by its slide: how far to its left.
+    Guide(usize),
+    /// The angle of a straight guide.
+    GuideTurned(usize),
+    /// Where a point of a link, by its place in it, stands about the link's first joint; length and angle.
+    Point(LinkId, usize),
     /// The speed of all inputs.
     Speed,
 }
@@ -57,13 +67,19 @@ impl Laid {
             _ => None,
         }));
         all.push(Self::Speed);
+        all.extend(
+            (0..mechanism.slides.len()).flat_map(|slide| [Self::Guide(slide), Self::GuideTurned(slide)]),
+        );
+        let points =
+            |link: LinkId| (2..mechanism.link(link).points.len()).map(move |end| Self::Point(link, end));
+        all.extend(mechanism.moving().flat_map(points));
         all.retain(|laid| laid.change([0.1, 0.1]).mechanism(mechanism).as_ref() != mechanism);
         all
     }
 
     /// How many numbers it is.
     fn numbers(self) -> usize {
-        if let Self::Pivot(_) = self { 2 } else { 1 }
+        if let Self::Pivot(_) | Self::Point(..) = self { 2 } else { 1 }
     }
 
     /// The change by so many metres, parts of the length, or radians.
@@ -72,6 +88,9 @@ impl Laid {
             Self::Pivot(point) => InputChange::Pivot { point, by },
             Self::Length(link, ends) => InputChange::Length { link, ends, factor: 1.0 + by[0] },
             Self::Angle(input) => InputChange::Angle { input, by: by[0] },
+            Self::Guide(slide) => InputChange::Guide { slide, across: by[0], turn: 0.0 },
+            Self::GuideTurned(slide) => InputChange::Guide { slide, across: 0.0, turn: by[0] },
+            Self::Point(link, end) => InputChange::Arm { link, end, factor: 1.0 + by[0], turn: by[1] },
             Self::Speed => InputChange::Rates { omega: 1.0 + by[0], alpha: 1.0 },
         })
     }
@@ -80,16 +99,22 @@ impl Laid {
 /// Everything that may have been laid off otherwise, as all answers together tell it; `open` are those that are wrong and
 /// not explained.
 pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<Hypothesis> {
-    let handed_in = open.iter().filter(|index| !case.hands_in_nothing(**index)).count();
+    let handed_in: Vec<usize> = open.iter().copied().filter(|&index| !case.hands_in_nothing(index)).collect();
+    let vectors = handed_in.iter().filter(|&&index| case.is_vector(index)).count();
     // Each value would lead a whole turning-moment diagram through its period.
-    if handed_in < LEAST || case.cycle.is_some() {
+    if case.cycle.is_some() {
         return Vec::new();
     }
     let fit = Fit { case, drawn, open, long: longest(case) };
     // A slip in the first number that is calculated looks like another speed: who hands that number in has made it there.
     let calculated = open.first().is_some_and(|&first| case.allowances[first].basis == Basis::Calculated);
     let all = Laid::all(&case.mechanism).into_iter();
-    let all = all.filter(|laid| !(calculated && matches!(laid, Laid::Speed)));
+    let all = all.filter(|laid| match laid {
+        Laid::Speed => !calculated && handed_in.len() >= LEAST,
+        // Two vectors of the point tell its place twice.
+        Laid::Point(..) => vectors >= VECTORS,
+        _ => handed_in.len() >= LEAST,
+    });
     all.filter_map(|laid| fit.found(laid)).collect()
 }
 
@@ -117,7 +142,11 @@ struct Fit<'f, 's> {
 impl Fit<'_, '_> {
     /// The least squares of what the answers miss, by Gauss and Newton.
     fn found(&self, laid: Laid) -> Option<Hypothesis> {
-        let whole = if let Laid::Pivot(_) = laid { self.long } else { 1.0 };
+        let whole = match laid {
+            Laid::Pivot(_) | Laid::Guide(_) => self.long,
+            Laid::Point(..) => FREELY,
+            Laid::Length(..) | Laid::Angle(_) | Laid::GuideTurned(_) | Laid::Speed => 1.0,
+        };
         let at = |by: [f64; 2]| self.misses(&self.drawn.and(&laid.change(by)));
         let mut by = [0.0; 2];
         let mut misses = at(by)?;
@@ -207,6 +236,27 @@ impl Fit<'_, '_> {
                     if by[0] > 0.0 { "long" } else { "short" }
                 );
                 (Kind::LengthLaidOff, format!("the length {}{}", name(a), name(b)), how)
+            }
+            Laid::Guide(slide) => {
+                let at = super::misread::rider(mechanism, slide);
+                (Kind::GuideMisplaced, at, format!("about {} {} away", number(by[0].abs()), unit.symbol))
+            }
+            Laid::GuideTurned(slide) => {
+                let at = super::misread::rider(mechanism, slide);
+                let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };
+                (Kind::GuideMisplaced, at, format!("about {:.0}° too far {sense}", by[0].abs().to_degrees()))
+            }
+            Laid::Point(link, end) => {
+                let points = &mechanism.link(link).points;
+                let arm = format!("{}{}", name(points[0]), name(points[end]));
+                let sense = if by[1] < 0.0 { "clockwise" } else { "counter-clockwise" };
+                let how = format!(
+                    "{arm} about {:.0} % too {} and {:.0}° too far {sense}",
+                    100.0 * by[0].abs(),
+                    if by[0] > 0.0 { "long" } else { "short" },
+                    by[1].abs().to_degrees()
+                );
+                (Kind::PointLaidOff, name(points[end]), how)
             }
             Laid::Speed => {
                 let how = format!(

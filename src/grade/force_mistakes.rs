@@ -419,6 +419,14 @@ impl List<'_, '_> {
             self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside(without, moment));
             let how = format!("left out of the moments of link {number}");
             self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside([0.0; 2], -moment));
+            // With the couple that shifts its line, or that counted for itself.
+            let arm = [acting.at[0] - about[0], acting.at[1] - about[1]];
+            let alone = arm[0] * acting.force[1] - arm[1] * acting.force[0];
+            for moment in [moment, alone] {
+                let how = format!("in the moments of link {number}");
+                let reversed = beside([0.0; 2], -2.0 * moment);
+                self.add_so((Kind::MomentReversed, how), &name, None, price, reversed);
+            }
         }
     }
 
@@ -693,7 +701,11 @@ impl List<'_, '_> {
             let Some(point) = self.case.mechanism.rubbing_point(slide) else { continue };
             let at = format!("the guide of {}", self.case.mechanism.point(point).name);
             let back = Departure::FrictionAngle { slide, factor: -1.0 };
-            found.push((Kind::FrictionAngleReversed, at, PLAIN, vec![back]));
+            found.push((Kind::FrictionAngleReversed, at.clone(), PLAIN, vec![back]));
+            for factor in [2.0, 0.5] {
+                let other = Departure::FrictionAngle { slide, factor };
+                found.push((Kind::FrictionMisread, at.clone(), 0.5, vec![other]));
+            }
         }
         for (kind, at, price, departures) in found {
             self.add(kind, &at, None, price, Change::drawn(departures));
@@ -949,6 +961,7 @@ impl List<'_, '_> {
             self.add(Kind::OneTurnForTwo, at, None, 0.5, mean_over(2.0));
         } else if (period / turn - 1.0).abs() < 1e-9 {
             self.add(Kind::OneTurnForTwo, at, None, PLAIN, mean_over(0.5));
+            self.add_so((Kind::OneTurnForTwo, "half a turn".to_owned()), at, None, 0.5, mean_over(2.0));
         }
         self.knots_of_diagram();
         self.reckoned_otherwise();

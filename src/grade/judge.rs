@@ -202,7 +202,13 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
         }
         let unexplained = faults.iter().any(|fault: &Fault| fault.mistakes.is_empty());
         let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first, unexplained };
-        let (mistakes, change) = judge.explain();
+        let (mut mistakes, mut change) = judge.explain();
+        // What shows first may follow from an answer that the solution finds later.
+        let cause = judge.cause(&change);
+        if let Some(cause) = cause {
+            (mistakes, change) = Judge { first: cause, ..judge }.explain();
+        }
+        let first = cause.unwrap_or(first);
         verdicts[first] = Some(Verdict::Wrong);
         faults.push(Fault { first, mistakes });
         drawn = change;
@@ -230,6 +236,7 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
     Judgement { verdicts, faults, caused, drawn }
 }
 
+#[derive(Clone, Copy)]
 struct Judge<'j, 's> {
     case: &'j Case<'s>,
     /// What is known of the drawing so far.
@@ -300,6 +307,29 @@ impl Judge<'_, '_> {
             one.also = Some(Box::new(other.clone()));
         }
         (mistakes, change)
+    }
+
+    /// An answer of the same polygon from which this one follows, which does not follow from it and which `change`, the best
+    /// explanation of this one, does not lead to: the fault is there.
+    fn cause(&self, change: &Change) -> Option<usize> {
+        let sketch = self.case.drawn(change, None)?;
+        let seen = self.case.seen(&sketch, change);
+        let base = self.case.drawn(self.drawn, None)?;
+        let follows = |of: usize, from: usize| {
+            let mut verdicts = self.verdicts.to_vec();
+            verdicts[from] = Some(Verdict::Wrong);
+            let allowed = (self.case.rooms[of].times(EXPLAINED), By::AllTogether);
+            routes::follows(self.case, (self.drawn, &base), &verdicts, of, allowed)
+        };
+        let (order, step, _) = self.case.observations[self.first].rank;
+        let beside = |&other: &usize| {
+            let (of, at, _) = self.case.observations[other].rank;
+            let left = self.case.miss(other, seen[other].as_deref(), self.case.rooms[other]) > EXPLAINED;
+            let open = self.verdicts[other].is_none() && !self.case.hands_in_nothing(other);
+            other != self.first && of == order && at != usize::MAX && open && left
+        };
+        let mut others = (0..self.verdicts.len()).filter(beside).filter(|_| step != usize::MAX);
+        others.find(|&other| follows(self.first, other) && !follows(other, self.first))
     }
 
     /// One mistake that was made with the student's own earlier values, where none explains the answer by those that belong
@@ -570,6 +600,20 @@ impl Judge<'_, '_> {
         vec![other, pair]
     }
 
+    /// All that is read off a polygon by the scale by which this answer was read.
+    fn by_another_scale(&self, before: Option<&[f64]>) -> Option<Change> {
+        let observation = &self.case.observations[self.first];
+        let quantity = observation.quantity.filter(|_| matches!(observation.target, Target::Asked(_)))?;
+        let order = quantity.order();
+        let of = Which::Measured(order);
+        let factor = self.case.given_size(self.first) / size(before?);
+        let drawn = order != Order::Position && self.case.includes(of, &quantity);
+        (drawn && !observation.on_paper && factor.is_finite() && factor > 0.0).then(|| {
+            let read = Change::read(Misreading::OtherScale { of, factor });
+            read.and(&Change::drawn(vec![Departure::ReadAll { order, factor }]))
+        })
+    }
+
     /// The student's own value in the place of the right one, in the way that explains the later answers best.
     fn unknown(&self, base: &Sketch) -> Option<Tried> {
         let seen = self.case.seen(base, self.drawn);
@@ -580,6 +624,7 @@ impl Judge<'_, '_> {
             true => Vec::new(),
             false => own_values(self.case, base, observation, before),
         };
+        ways.extend(self.by_another_scale(before));
         ways.retain(|way| takes_its_place(self.case, &self.drawn.and(way), self.first));
         ways.push(Change::default());
         let mut best: Option<Tried> = None;
@@ -665,10 +710,15 @@ pub(super) fn own_values(
             let si = case.si_per_mm(order);
             match (label, &own[..]) {
                 (Label::Image { point, link }, &[x, y]) => {
+                    let at = [x / si, y / si];
                     if link.is_some() {
-                        ways.extend(moved_foot(base, order, label, [x / si, y / si]));
+                        ways.extend(moved_foot(base, order, label, at));
                     }
-                    ways.push(Change::drawn(vec![Departure::Image { order, point, at: [x / si, y / si] }]));
+                    let stands = match link.filter(|link| !case.holds(*link, point)) {
+                        Some(link) => Departure::Under { order, pin: point, link, at },
+                        None => Departure::Image { order, point, at },
+                    };
+                    ways.push(Change::drawn(vec![stands]));
                 }
                 (Label::Foot { .. }, &[x, y]) => {
                     ways.extend(moved_foot(base, order, label, [x / si, y / si]))
@@ -791,9 +841,15 @@ fn own_quantity(
         (Quantity::Force(force, Share::Total), vector) => {
             ways.extend(own_force(force, vector, (factor, twist)))
         }
-        (_, Some(_)) => {
+        (_, Some([x, y])) => {
             ways.push(Change::drawn(vec![Departure::LaidOff { quantity, twist }]));
             ways.push(Change::drawn(vec![read]));
+            if let Quantity::CoincidentVelocity(pin, link) | Quantity::CoincidentAcceleration(pin, link) =
+                quantity
+            {
+                let at = [x / si, y / si];
+                ways.push(Change::drawn(vec![Departure::Under { order, pin, link, at }]));
+            }
         }
         _ => {}
     }

@@ -145,11 +145,23 @@ pub enum Kind {
     Interchanged,
     /// The input was taken with another speed than the given one.
     InputSpeed,
+    /// A guide stands elsewhere on the skeleton, or at another angle.
+    GuideMisplaced,
+    /// A point stands elsewhere on its link.
+    PointLaidOff,
+    /// The image of a point was taken on the line of two others, on which the point does not lie.
+    ImageOnLine,
+    /// A moment was counted with the wrong sign.
+    MomentReversed,
+    /// Another coefficient of friction than the given one was used.
+    FrictionMisread,
+    /// A point under a block has the velocity of its pin: the sliding was forgotten.
+    SlipMissing,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 71] = [
+    pub const ALL: [Self; 77] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -221,6 +233,12 @@ impl Kind {
         Self::WrongFormula,
         Self::Interchanged,
         Self::InputSpeed,
+        Self::GuideMisplaced,
+        Self::PointLaidOff,
+        Self::ImageOnLine,
+        Self::MomentReversed,
+        Self::FrictionMisread,
+        Self::SlipMissing,
     ];
 
     /// Whether something is left out by it, which is then nothing.
@@ -234,6 +252,7 @@ impl Kind {
                 | Self::StaticLeftOut
                 | Self::InertiaLeftOut
                 | Self::FrictionLeftOut
+                | Self::SlipMissing
         )
     }
 
@@ -312,6 +331,12 @@ impl Kind {
             Self::WrongFormula => "wrong-formula",
             Self::Interchanged => "interchanged",
             Self::InputSpeed => "input-speed",
+            Self::GuideMisplaced => "guide-misplaced",
+            Self::PointLaidOff => "point-laid-off",
+            Self::ImageOnLine => "image-on-line",
+            Self::MomentReversed => "moment-reversed",
+            Self::FrictionMisread => "friction-misread",
+            Self::SlipMissing => "slip-missing",
         }
     }
 }

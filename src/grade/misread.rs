@@ -8,7 +8,7 @@ use super::change::{Change, InputChange};
 use super::kind::Kind;
 use super::mistakes::Hypothesis;
 use crate::given::Given;
-use crate::mechanism::{Form, Input, LinkId, Mechanism, Place, PointId};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
 
 /// What it costs that a number was misread of which nothing is handed in.
 const MISREAD: f64 = 2.0;
@@ -30,7 +30,7 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
     for (index, point) in mechanism.points.iter().enumerate() {
         let Place::Fixed(at) = point.place else { continue };
         let [x, y] = at.map(|given| given.value);
-        let mut ways = vec![[y, x], [-x, y], [x, -y]];
+        let mut ways = vec![[y, x], [-x, y], [x, -y], [x / 2.0, y], [2.0 * x, y], [x, y / 2.0], [x, 2.0 * y]];
         ways.extend(transposed(x / unit).into_iter().map(|own| [own * unit, y]));
         ways.extend(transposed(y / unit).into_iter().map(|own| [x, own * unit]));
         for own in ways.into_iter().filter(|own| *own != [x, y]) {
@@ -67,6 +67,9 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
             add(Kind::LengthLaidOff, &at, how, vec![other(its_length), its]);
         }
     }
+    for (slide, how, change) in guides(case) {
+        add(Kind::GuideMisplaced, &rider(mechanism, slide), how, vec![change]);
+    }
     for (input, given) in mechanism.inputs.iter().enumerate() {
         let (Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) = given
         else {
@@ -81,6 +84,145 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
         }));
         for (by, how) in ways {
             add(Kind::InputAngle, "the input", how, vec![InputChange::Angle { input, by }]);
+        }
+    }
+    found
+}
+
+/// A straight guide of the frame: its slide, a point of it and its direction, metres in the world.
+pub(super) struct Guideway {
+    pub(super) slide: usize,
+    pub(super) through: [f64; 2],
+    pub(super) along: [f64; 2],
+}
+
+impl Guideway {
+    /// All whose direction is given as an angle.
+    pub(super) fn all(mechanism: &Mechanism) -> Vec<Self> {
+        let guide = |(slide, pair): (usize, &crate::mechanism::Slide)| {
+            let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } =
+                pair.guide.path
+            else {
+                return None;
+            };
+            let at = match through {
+                GuidePoint::Own(at) => at,
+                GuidePoint::Point(point) => match mechanism.point(point).place {
+                    Place::Fixed(at) => at,
+                    _ => return None,
+                },
+            };
+            let angle = angle.value + turned.value;
+            let along = [libm::cos(angle), libm::sin(angle)];
+            let by = offset.value;
+            let through = [at[0].value - by * along[1], at[1].value + by * along[0]];
+            (pair.guide.link == LinkId::FRAME).then_some(Self { slide, through, along })
+        };
+        mechanism.slides.iter().enumerate().filter_map(guide).collect()
+    }
+
+    /// How far it passes to the left of a point.
+    pub(super) fn beside(&self, [x, y]: [f64; 2]) -> f64 {
+        self.along[0] * (self.through[1] - y) - self.along[1] * (self.through[0] - x)
+    }
+}
+
+/// What slides on a guide, as people call it.
+pub(super) fn rider(mechanism: &Mechanism, slide: usize) -> String {
+    match mechanism.slides[slide].rider {
+        Rider::Pin { point, .. } => mechanism.point(point).name.clone(),
+        Rider::Link { link, .. } => format!("link {}", mechanism.link(link).number),
+    }
+}
+
+/// The guides of the frame with their offset from a pivot forgotten, or laid off to its other side: with the slide and what
+/// was done.
+pub(super) fn offsets(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
+    let mechanism = &case.mechanism;
+    let mut found = Vec::new();
+    for guide in Guideway::all(mechanism) {
+        for (pivot, far) in distances(mechanism, &guide) {
+            let shifted = |across: f64| InputChange::Guide { slide: guide.slide, across, turn: 0.0 };
+            found.push((guide.slide, format!("through {pivot}"), shifted(-far)));
+            found.push((guide.slide, format!("on the other side of {pivot}"), shifted(-2.0 * far)));
+        }
+    }
+    found
+}
+
+/// How far a guide passes to the left of every pivot through which it does not go.
+fn distances(mechanism: &Mechanism, guide: &Guideway) -> Vec<(String, f64)> {
+    let fixed = mechanism.points.iter().filter_map(|point| match point.place {
+        Place::Fixed(at) => Some((point.name.clone(), guide.beside(at.map(|given| given.value)))),
+        _ => None,
+    });
+    let size = libm::hypot(guide.through[0], guide.through[1]);
+    fixed.filter(|(_, far)| far.abs() > 1e-9 * size).collect()
+}
+
+/// Every other usual misreading of where a guide of the frame lies.
+fn guides(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
+    let mechanism = &case.mechanism;
+    let (unit, symbol) = (case.scene.units.length.si, &case.scene.units.length.symbol);
+    let mut found = Vec::new();
+    for guide in Guideway::all(mechanism) {
+        let slide = guide.slide;
+        for (pivot, far) in distances(mechanism, &guide) {
+            let digits = transposed(far / unit).into_iter().map(|own| own * unit);
+            for own in [far / 2.0, 2.0 * far].into_iter().chain(digits) {
+                let [own_told, told] = [own, far].map(|metres| written(metres.abs() / unit));
+                let how = format!("{own_told} for {told} {symbol} from {pivot}");
+                found.push((slide, how, InputChange::Guide { slide, across: own - far, turn: 0.0 }));
+            }
+        }
+        let [x, y] = guide.through;
+        for (own, how) in [
+            ([y, x], "x and y interchanged"),
+            ([-x, y], "x with the other sign"),
+            ([x, -y], "y with the other sign"),
+        ] {
+            let across = -guide.beside(own);
+            found.push((slide, how.to_owned(), InputChange::Guide { slide, across, turn: 0.0 }));
+        }
+        let degrees = libm::atan2(guide.along[1], guide.along[0]).to_degrees();
+        let others = [-degrees, 90.0 - degrees].into_iter().chain(transposed(degrees));
+        for own in others.filter(|own| libm::sin((own - degrees).to_radians()).abs() > 1e-9) {
+            let how = format!("{} for {} deg", written(own), written(degrees));
+            let turn = (own - degrees).to_radians();
+            found.push((slide, how, InputChange::Guide { slide, across: 0.0, turn }));
+        }
+    }
+    found
+}
+
+/// Usual misreadings of where the third point of a link stands, with what was done.
+pub(super) fn third_points(case: &Case<'_>) -> Vec<(PointId, String, InputChange)> {
+    let mechanism = &case.mechanism;
+    let (unit, symbol) = (case.scene.units.length.si, &case.scene.units.length.symbol);
+    let mut found = Vec::new();
+    for link in mechanism.moving() {
+        let points = &mechanism.link(link).points;
+        let (Form::Arms { second, third, angle }, &[first, other, point]) =
+            (&mechanism.link(link).form, &points[..])
+        else {
+            continue;
+        };
+        let name = |id: PointId| mechanism.point(id).name.as_str();
+        let degrees = angle.value.to_degrees();
+        let others = [90.0 - degrees, 180.0 - degrees, -degrees].into_iter().chain(transposed(degrees));
+        for own in others.filter(|own| libm::sin((own - degrees).to_radians() / 2.0).abs() > 1e-9) {
+            let corner = [other, first, point].map(name).concat();
+            let how = format!("∠{corner} {} for {} deg", written(own), written(degrees));
+            let turn = (own - degrees).to_radians();
+            found.push((point, how, InputChange::Arm { link, end: 2, factor: 1.0, turn }));
+        }
+        let arm = third.value;
+        let digits = transposed(arm / unit).into_iter().map(|own| own * unit);
+        let lengths = [arm / 2.0, 2.0 * arm, second.value].into_iter().chain(digits);
+        for own in lengths.filter(|own| *own > 0.0 && (own / arm - 1.0).abs() > 1e-9) {
+            let arm_name = [first, point].map(name).concat();
+            let how = format!("{arm_name} {} for {} {symbol}", written(own / unit), written(arm / unit));
+            found.push((point, how, InputChange::Arm { link, end: 2, factor: own / arm, turn: 0.0 }));
         }
     }
     found

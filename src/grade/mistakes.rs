@@ -9,7 +9,7 @@ use crate::graphical::construction::{Act, Calculation, Claim, Construction, Labe
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
-use crate::mechanism::{Form, Input, LinkId, PointId};
+use crate::mechanism::{Form, Input, LinkId, PointId, Rider};
 use crate::plan::DiagramPlan;
 
 /// A mistake that may have been made.
@@ -57,7 +57,9 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.written_otherwise();
     list.interchanged();
     list.rates_by_wrong_distances();
+    list.ratios_of_distances();
     list.slip_with_coriolis();
+    list.slip_forgotten();
     list.directions();
     list.degrees();
     list.centres(so_far);
@@ -242,6 +244,16 @@ impl<'c> List<'c, '_> {
         for (point, at) in self.case.misplaced() {
             self.drawn_at_another_angle(point, at);
             self.drawn_too_long(point, at);
+            self.drawn_on_another_guide(point, at);
+            self.drawn_elsewhere_on_its_link(point, at);
+        }
+        for (slide, how, change) in super::misread::offsets(self.case) {
+            let at = super::misread::rider(&self.case.mechanism, slide);
+            self.add_so((Kind::GuideMisplaced, how), &at, None, 1.0, Change::of_inputs(change));
+        }
+        for (point, how, change) in super::misread::third_points(self.case) {
+            let at = self.case.mechanism.point(point).name.clone();
+            self.add_so((Kind::PointLaidOff, how), &at, None, 1.0, Change::of_inputs(change));
         }
         for &(point, by) in &self.case.pivots {
             let name = self.case.mechanism.point(point).name.clone();
@@ -305,6 +317,11 @@ impl<'c> List<'c, '_> {
         let distance = |a: [f64; 2], b: [f64; 2]| size(&difference(a, b)) * space.metres_per_mm;
         let si = self.case.si_per_mm(Order::Velocity);
         let mut found: Vec<(LinkId, f64, String, Vec<Misreading>)> = Vec::new();
+        let observed: Vec<Quantity> = self.observed();
+        let observed: Vec<Quantity> = observed
+            .into_iter()
+            .filter(|of| matches!(of, Quantity::Omega(_) | Quantity::Velocity(_)))
+            .collect();
         for &(i, j, centre) in &centres {
             let link = match (i, j) {
                 (LinkId::FRAME, link) | (link, LinkId::FRAME) => link,
@@ -325,8 +342,17 @@ impl<'c> List<'c, '_> {
                 let mut add = |name: &str, length: f64, more: Option<Misreading>| {
                     let factor = speed * si / length / omega.abs();
                     if length > 0.0 && factor.is_finite() && (factor - 1.0).abs() > 0.01 {
-                        let readings = [twisted(Quantity::Omega(link), factor)].into_iter().chain(more);
-                        found.push((link, factor, format!("V of {own} over {name}"), readings.collect()));
+                        let own_rate = twisted(Quantity::Omega(link), factor);
+                        // With all that is found by this ω.
+                        let all = observed
+                            .iter()
+                            .filter(|of| !self.is_driven(of) && **of != Quantity::Velocity(point));
+                        let all: Vec<Misreading> = all.map(|of| twisted(*of, factor)).collect();
+                        let how = format!("V of {own} over {name}");
+                        if more.is_none() && all.len() > 1 {
+                            found.push((link, factor, how.clone(), all));
+                        }
+                        found.push((link, factor, how, [own_rate].into_iter().chain(more).collect()));
                     }
                 };
                 for (place, (from, a)) in places.iter().enumerate() {
@@ -348,6 +374,86 @@ impl<'c> List<'c, '_> {
             let name = self.name(&Quantity::Omega(link));
             let change = Change { readings, ..Change::default() };
             self.add_so((Kind::WrongFormula, how), &name, None, price, change);
+        }
+    }
+
+    /// Whether an ω or a V is that of a driven link or of a point of it.
+    fn is_driven(&self, quantity: &Quantity) -> bool {
+        let driven = self.driven();
+        match quantity {
+            Quantity::Omega(link) => driven.contains(link),
+            Quantity::Velocity(point) => {
+                driven.iter().any(|link| self.case.mechanism.link(*link).points.contains(point))
+            }
+            _ => false,
+        }
+    }
+
+    /// V of a point by that of another of its link and the distances of both from its centre, the ratio the other way up; and ω
+    /// of the links that turn with it.
+    fn ratios_of_distances(&mut self) {
+        let mechanism = &self.case.mechanism;
+        let space = &self.construction.space;
+        let mut found: Vec<(Quantity, String, Vec<Misreading>)> = Vec::new();
+        for (index, observation) in self.case.observations.iter().enumerate() {
+            let (Some(Quantity::Centre(i, j)), Some(&[x, y])) =
+                (observation.quantity, self.case.truth[index].as_deref())
+            else {
+                continue;
+            };
+            let link = match (i, j) {
+                (LinkId::FRAME, link) | (link, LinkId::FRAME) => link,
+                _ => continue,
+            };
+            let centre = [x, y].map(|metres| metres / space.metres_per_mm);
+            let away = |point: PointId| space.places[point.0].map(|at| size(&difference(at, centre)));
+            let points = &mechanism.link(link).points;
+            for (&own, &other) in points.iter().flat_map(|own| points.iter().map(move |other| (own, other))) {
+                let (Some(near), Some(far)) = (away(own), away(other)) else { continue };
+                let of = Quantity::Velocity(own);
+                let factor = (far / near) * (far / near);
+                if own == other || !self.observed().contains(&of) || !factor.is_finite() {
+                    continue;
+                }
+                let turns = |of: &Quantity| match of {
+                    Quantity::Omega(with) => *with != link && mechanism.link(*with).points.contains(&own),
+                    _ => false,
+                };
+                let with: Vec<Quantity> =
+                    [of].into_iter().chain(self.observed().into_iter().filter(turns)).collect();
+                let readings = with
+                    .into_iter()
+                    .map(|of| Misreading::Twisted { of: Which::One(of), twist: Twist::scaled(factor) });
+                let name = |point: PointId| mechanism.point(point).name.as_str();
+                let how = format!("distances of {} and {} interchanged", name(other), name(own));
+                found.push((of, how, readings.collect()));
+            }
+        }
+        for (of, how, readings) in found {
+            let name = self.name(&of);
+            let change = Change { readings, ..Change::default() };
+            self.add_so((Kind::RatioInverted, how), &name, None, 0.5, change);
+        }
+    }
+
+    /// V of the point under a pin taken for that of the pin: nothing slides, and there is no Coriolis.
+    fn slip_forgotten(&mut self) {
+        let Some(polygon) = polygon(self.construction, Order::Velocity) else { return };
+        for image in &polygon.images {
+            let Label::Image { point, link: Some(link) } = image.label else { continue };
+            let pin = |known: &&crate::graphical::construction::Image| match known.label {
+                Label::Image { point: of, link } => {
+                    of == point && link.is_none_or(|link| self.case.holds(link, of))
+                }
+                _ => false,
+            };
+            let Some(pin) = polygon.images.iter().rev().find(pin).filter(|_| !self.case.holds(link, point))
+            else {
+                continue;
+            };
+            let name = self.name(&Quantity::Slip(point, link));
+            let under = Departure::Under { order: Order::Velocity, pin: point, link, at: pin.at };
+            self.add(Kind::SlipMissing, &name, None, 0.5, Change::drawn(vec![under]));
         }
     }
 
@@ -477,6 +583,59 @@ impl<'c> List<'c, '_> {
             );
             let change = Change::of_inputs(InputChange::Angle { input, by });
             self.add_so((Kind::InputAngle, how), "the input", None, UNUSUAL, change);
+        }
+    }
+
+    /// A guide goes through the point that rides on it where the student has it: parallel to the right one, or turned about the
+    /// point by which it is given.
+    fn drawn_on_another_guide(&mut self, point: PointId, at: [f64; 2]) {
+        for guide in super::misread::Guideway::all(&self.case.mechanism) {
+            let slide = guide.slide;
+            let Rider::Pin { point: rider, .. } = self.case.mechanism.slides[slide].rider else { continue };
+            let across = -guide.beside(at);
+            if rider != point || across == 0.0 {
+                continue;
+            }
+            let how = format!("{} away", self.told(across.abs()));
+            let away = difference(at, guide.through);
+            let along = guide.along;
+            let sine = along[0] * away[1] - along[1] * away[0];
+            let turn = libm::atan(sine / (along[0] * away[0] + along[1] * away[1]));
+            let turned = format!("turned by {}", degrees_of(turn));
+            let name = self.case.mechanism.point(point).name.clone();
+            let shift =
+                |across: f64, turn: f64| Change::of_inputs(InputChange::Guide { slide, across, turn });
+            self.add_so((Kind::GuideMisplaced, how), &name, None, PLAIN, shift(across, 0.0));
+            if turn.is_finite() {
+                self.add_so((Kind::GuideMisplaced, turned), &name, None, UNUSUAL, shift(0.0, turn));
+            }
+        }
+    }
+
+    /// A point stands on its link where the student has it on his skeleton.
+    fn drawn_elsewhere_on_its_link(&mut self, point: PointId, at: [f64; 2]) {
+        for link in self.case.mechanism.moving() {
+            let points = &self.case.mechanism.link(link).points;
+            let Some(end) = points.iter().position(|known| *known == point).filter(|end| *end > 1) else {
+                continue;
+            };
+            let first = points[0];
+            let place = |of: PointId| self.case.drawn_place(of).or_else(|| self.place_of_joint(of));
+            let (Some(base), Some(from), Some(right)) =
+                (place(first), self.place_of_joint(first), self.place_of_joint(point))
+            else {
+                continue;
+            };
+            let [own, right] = [difference(at, base), difference(right, from)];
+            let turn =
+                libm::atan2(right[0] * own[1] - right[1] * own[0], right[0] * own[0] + right[1] * own[1]);
+            let factor = size(&own) / size(&right);
+            let change = Change::of_inputs(InputChange::Arm { link, end, factor, turn });
+            let how = format!("{} for {}", self.told(size(&own)), self.told(size(&right)));
+            let name = self.case.mechanism.point(point).name.clone();
+            if factor.is_finite() && change.mechanism(&self.case.mechanism).as_ref() != &self.case.mechanism {
+                self.add_so((Kind::PointLaidOff, how), &name, None, 0.5, change);
+            }
         }
     }
 
@@ -624,7 +783,9 @@ impl<'c> List<'c, '_> {
         let mut scopes: Vec<(Which, Order, &'static str)> = Vec::new();
         for (order, at) in [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")] {
             let mut known: Vec<Vec<Quantity>> = Vec::new();
-            for of in [Which::Vectors(order), Which::Read(order), Which::Found(order)] {
+            let all =
+                [Which::Vectors(order), Which::Read(order), Which::Found(order), Which::Measured(order)];
+            for of in all {
                 let mut among = self.observed();
                 among.retain(|quantity| self.case.includes(of, quantity));
                 if !known.contains(&among) {
@@ -644,6 +805,7 @@ impl<'c> List<'c, '_> {
                 measured.push([from, to]);
             }
         }
+        self.any_scale();
         for (factor, price) in
             [(2.0, PLAIN), (0.5, PLAIN), (10.0, PLAIN), (0.1, PLAIN), (5.0, 1.0), (0.2, 1.0)]
         {
@@ -685,6 +847,25 @@ impl<'c> List<'c, '_> {
                 let at = "the lengths measured on the skeleton";
                 self.add_so(kind(), at, None, price + 1.0, Change::drawn(departures));
             }
+        }
+    }
+
+    /// A diagram with any other scale factor, where several vectors that are read off it tell the same one.
+    fn any_scale(&mut self) {
+        for (order, at) in [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")] {
+            let all = 0..self.case.observations.len();
+            let factors: Vec<f64> = all.filter_map(|index| self.case.lengthened(index, order)).collect();
+            #[expect(clippy::cast_precision_loss, reason = "answers are few")]
+            let factor = factors.iter().sum::<f64>() / factors.len().max(1) as f64;
+            let alike = factors.iter().all(|one| (one / factor - 1.0).abs() <= ONE_SCALE);
+            if factors.len() < 2 || !alike || (factor - 1.0).abs() <= ONE_SCALE {
+                continue;
+            }
+            let (times, sense) = if factor > 1.0 { (factor, "large") } else { (1.0 / factor, "small") };
+            let how = format!("read about {} times too {sense}", super::text::digits(times, 0.01));
+            let read = Change::read(Misreading::OtherScale { of: Which::Measured(order), factor });
+            let followed = read.and(&Change::drawn(vec![Departure::ReadAll { order, factor }]));
+            self.add_so((Kind::ScaleWrong, how), at, None, UNUSUAL + 1.0, followed);
         }
     }
 
@@ -1363,8 +1544,65 @@ impl<'c> List<'c, '_> {
         Some(arm.map(|part| part * mm))
     }
 
+    /// The image of a point at the distance of the point along the line of two others of its link: of one that does not lie
+    /// there by forgetting that, of one that lies beyond them from the other end.
+    fn taken_on_the_line(&mut self) {
+        let mechanism = &self.case.mechanism;
+        let place = |point: PointId| self.construction.space.places.get(point.0).copied().flatten();
+        let mut found: Vec<(Kind, PointId, PointId, Vec<Departure>)> = Vec::new();
+        for link in mechanism.moving() {
+            let points = &mechanism.link(link).points;
+            for &point in points.iter().filter(|point| !mechanism.is_fixed(**point)) {
+                let others: Vec<PointId> = points.iter().copied().filter(|other| *other != point).collect();
+                let &[one, two] = &others[..] else { continue };
+                let (Some(a), Some(b), Some(own)) = (place(one), place(two), place(point)) else { continue };
+                let [base, far] = [difference(b, a), difference(own, a)];
+                let sine = (base[0] * far[1] - base[1] * far[0]) / size(&base) / size(&far);
+                let bent = sine.abs() > ON_LINE;
+                for (from, to, arm) in [(one, two, far), (two, one, difference(own, b))] {
+                    let other = if bent { arm } else { difference(own, place(to).unwrap_or(own)) };
+                    let part = size(&other) / size(&base);
+                    let departures = self.at_part([from, to], point, part);
+                    let kind = if bent { Kind::ImageOnLine } else { Kind::ProportionFromOtherEnd };
+                    if part.is_finite() && !departures.is_empty() {
+                        found.push((kind, point, from, departures));
+                    }
+                }
+            }
+        }
+        for (kind, point, from, departures) in found {
+            let at = match kind {
+                Kind::ImageOnLine => format!("the image of {}", self.case.mechanism.point(point).name),
+                _ => self.case.mechanism.point(point).name.clone(),
+            };
+            let how = format!("from {}", self.case.mechanism.point(from).name);
+            for departure in &departures {
+                let change = Change::drawn(vec![*departure]);
+                self.add_so((kind, how.clone()), &at, None, 0.75, change);
+            }
+            self.add_so((kind, how), &at, None, 0.25, Change::drawn(departures));
+        }
+    }
+
+    /// The image of a point at a part of the way between those of two others, in every polygon.
+    fn at_part(&self, [from, to]: [PointId; 2], point: PointId, part: f64) -> Vec<Departure> {
+        let departure = |order: Order| {
+            let images = &polygon(self.construction, order)?.images;
+            let at = |of: PointId| {
+                let fixed = self.case.mechanism.is_fixed(of).then_some([0.0; 2]);
+                let own = Label::Image { point: of, link: None };
+                fixed.or_else(|| images.iter().rev().find(|image| image.label == own).map(|image| image.at))
+            };
+            let ([a, b], _) = ([at(from)?, at(to)?], at(point)?);
+            let at = [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis]));
+            Some(Departure::Image { order, point, at })
+        };
+        [Order::Velocity, Order::Acceleration].into_iter().filter_map(departure).collect()
+    }
+
     fn images(&mut self) {
         self.divided_off();
+        self.taken_on_the_line();
         self.laid_off_from_other_end();
         let mut further: Vec<(LinkId, PointId)> = Vec::new();
         let moving = |diagram: &&DiagramPlan| diagram.kind != DiagramKind::Skeleton;
@@ -1523,7 +1761,7 @@ impl<'c> List<'c, '_> {
             Which::One(quantity) => {
                 vec![Departure::Read { quantity, factor: factor_of(quantity.order()) }]
             }
-            Which::Vectors(order) | Which::Read(order) | Which::Found(order) => {
+            Which::Vectors(order) | Which::Read(order) | Which::Found(order) | Which::Measured(order) => {
                 vec![Departure::ReadAll { order, factor: factor_of(order) }]
             }
             Which::AllVectors | Which::AllLinear | Which::Omegas => [Order::Velocity, Order::Acceleration]
@@ -1589,6 +1827,7 @@ impl<'c> List<'c, '_> {
                     | Quantity::Slip(..)
                     | Quantity::Tangential(_)
                     | Quantity::RelativeTangential(..)
+                    | Quantity::CoincidentTangential(..)
             );
             let Some(polygon) = polygon(&so_far.construction, order).filter(|_| usual) else { continue };
             let Some(vector) = polygon.vectors.iter().find(|v| v.quantity == quantity).copied() else {
@@ -1829,6 +2068,9 @@ pub(super) fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] * b[1] - a[1] * b[0]).abs() > 0.07
 }
 
+/// Two factors of one scale that are read off a drawing differ by less than this part.
+const ONE_SCALE: f64 = 0.06;
+
 /// A scale in millimetres or centimetres that is one of its round neighbours.
 const OTHER_SCALES: [f64; 8] = [0.5, 0.4, 2.0, 2.5, 0.05, 0.04, 0.2, 0.25];
 
@@ -1838,6 +2080,9 @@ pub(super) fn one_of(count: usize) -> f64 {
     let count = count.max(1) as f64;
     2.0 * libm::log(count)
 }
+
+/// A point whose direction from another one differs by no more (its sine) lies on the line.
+const ON_LINE: f64 = 1e-6;
 
 /// An angle as people write it.
 fn degrees_of(angle: f64) -> String {

@@ -8,13 +8,14 @@
 use super::answers::Given;
 use super::case::{Case, Room, Target, direction, polygon, size};
 use super::change::Change;
+use super::force_mistakes::same as same_force;
 use super::judge::Verdict;
 use super::mean_line::Cut;
 use super::steps::{self, By};
 use crate::graphical::Sketch;
-use crate::graphical::construction::{Act, Calculation, Label, Reference};
+use crate::graphical::construction::{Act, Acting, Calculation, Label, Reference};
 use crate::mechanism::cycle::CycleQuantity;
-use crate::mechanism::force::Party;
+use crate::mechanism::force::{Action, Force, Party, Share};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Direction, Input, LinkId, Mechanism, Path, PointId, Rider, Slide};
 
@@ -164,14 +165,8 @@ impl Desk<'_, '_> {
     fn calculates(&self, fits: &dyn Fn(&[f64]) -> bool) -> bool {
         let observation = &self.case.observations[self.index];
         let target = match (observation.target, observation.quantity) {
-            (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => {
-                Quantity::Velocity(point)
-            }
-            (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
-                Quantity::Acceleration(point)
-            }
-            (Target::Image(order, Label::Image { point, link: Some(link) }), _) => {
-                match under(&self.case.mechanism, order, point, link) {
+            (Target::Image(order, Label::Image { point, link }), _) => {
+                match self.represented(order, point, link) {
                     Some(quantity) => quantity,
                     None => return false,
                 }
@@ -198,6 +193,17 @@ impl Desk<'_, '_> {
         product && (!self.vectors(target).is_empty() || !self.scalars(target).is_empty())
     }
 
+    /// What the image of a point stands for in a polygon: its own, whether the number of a link is told with it or not, or that
+    /// of the point of another link under it.
+    fn represented(&self, order: Order, point: PointId, link: Option<LinkId>) -> Option<Quantity> {
+        match (link.filter(|link| !self.case.holds(*link, point)), order) {
+            (Some(link), _) => under(&self.case.mechanism, order, point, link),
+            (None, Order::Velocity) => Some(Quantity::Velocity(point)),
+            (None, Order::Acceleration) => Some(Quantity::Acceleration(point)),
+            (None, Order::Position) => None,
+        }
+    }
+
     /// What the student answered to another question, as numbers; a magnitude has the direction that it would have.
     fn numbers(&self, wanted: impl Fn(&Quantity, Target) -> bool) -> Option<Own<Vec<f64>>> {
         let judged = |index: usize| match self.verdicts[index] {
@@ -208,14 +214,8 @@ impl Desk<'_, '_> {
         self.case.observations.iter().enumerate().find_map(|(index, observation)| {
             let quantity = match (observation.target, observation.quantity) {
                 (Target::Asked(_), Some(quantity)) => quantity,
-                (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => {
-                    Quantity::Velocity(point)
-                }
-                (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
-                    Quantity::Acceleration(point)
-                }
-                (Target::Image(order, Label::Image { point, link: Some(link) }), _) => {
-                    under(&self.case.mechanism, order, point, link)?
+                (Target::Image(order, Label::Image { point, link }), _) => {
+                    self.represented(order, point, link)?
                 }
                 _ => return None,
             };
@@ -307,7 +307,7 @@ impl Desk<'_, '_> {
     /// V of a point seen from another of its link, read or as a difference.
     fn relative(&self, to: PointId, from: PointId) -> Vec<Own<Xy>> {
         let read = self.vector(Quantity::RelativeVelocity(to, from));
-        let ends = [to, from].map(|p| self.vector(Quantity::Velocity(p)));
+        let ends = [to, from].map(|p| self.known_or_carried(Quantity::Velocity(p), p));
         let difference = match ends {
             [Some(to), Some(from)] => Some(to.with(from, minus)),
             _ => None,
@@ -372,6 +372,10 @@ impl Desk<'_, '_> {
             Quantity::Centre(i, j) => {
                 ways.extend(self.centres_in_line(i, j, Self::stated_centre));
                 ways.extend(self.centres_in_line(i, j, Self::centre));
+            }
+            Quantity::Force(Force::Vector(action), Share::Total) => {
+                ways.extend(self.own_force(action));
+                ways.extend(self.closing_forces(action, &[]));
             }
             Quantity::Coriolis(p, link) => {
                 let both = self.scalar(Quantity::Omega(link)).zip(self.vector(Quantity::Slip(p, link)));
@@ -582,7 +586,7 @@ impl Desk<'_, '_> {
             Some(self.scalar(rate)?.map(part))
         };
         match quantity {
-            Quantity::Acceleration(point) => self.known(quantity, point),
+            Quantity::Velocity(point) | Quantity::Acceleration(point) => self.known(quantity, point),
             Quantity::CoincidentNormal(p, link) | Quantity::CoincidentTangential(p, link) => {
                 let arm = self.pivot(link).and_then(|pivot| self.arm(pivot, p));
                 turned(link, arm, matches!(quantity, Quantity::CoincidentNormal(..)))
@@ -793,6 +797,52 @@ impl Desk<'_, '_> {
             let arm = self.arm(from, to)?;
             Some(omega.map(|omega| times(arm, -omega * omega)))
         })
+    }
+
+    // --- forces ----------------------------------------------------------------------------------
+
+    /// A force between two links as it was answered, or its reaction.
+    fn own_force(&self, action: Action) -> Option<Own<Xy>> {
+        let answered = |action: Action| self.vector(Quantity::Force(Force::Vector(action), Share::Total));
+        answered(action).or_else(|| match action {
+            Action::Pair { by, on } => {
+                answered(Action::Pair { by: on, on: by }).map(|own| own.map(|force| times(force, -1.0)))
+            }
+            _ => None,
+        })
+    }
+
+    /// A force by the closed polygon of each body on which it stands, but for those that were cut free before: all others on
+    /// it are given, the student's own, or found so.
+    fn closing_forces(&self, action: Action, before: &[usize]) -> Vec<Own<Xy>> {
+        let Some(sheet) = self.case.balance() else { return Vec::new() };
+        let mut ways = Vec::new();
+        for (place, body) in sheet.bodies.iter().enumerate().filter(|(place, _)| !before.contains(place)) {
+            let Some(own) = body.acting.iter().find(|acting| same_force(acting.action, action)) else {
+                continue;
+            };
+            let cut = [before, &[place]].concat();
+            let others = body.acting.iter().filter(|acting| !same_force(acting.action, action));
+            let others: Option<Vec<Own<Xy>>> = others.map(|acting| self.acts(acting, &cut)).collect();
+            let sign = if own.action == action { -1.0 } else { 1.0 };
+            ways.extend(others.map(|others| {
+                let sum = others.into_iter().fold(Own::known([0.0; 2]), |sum, own| sum.with(own, plus));
+                sum.map(|sum| times(sum, sign))
+            }));
+        }
+        ways
+    }
+
+    /// A force on a body as the student has it.
+    fn acts(&self, acting: &Acting, cut: &[usize]) -> Option<Own<Xy>> {
+        let between = matches!(
+            acting.action,
+            Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..) | Action::Rolling { .. }
+        );
+        let given = (!between).then(|| Own::known(acting.force));
+        self.own_force(acting.action)
+            .or(given)
+            .or_else(|| self.closing_forces(acting.action, cut).into_iter().next())
     }
 
     // --- instant centres -----------------------------------------------------------------------

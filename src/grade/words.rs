@@ -22,7 +22,7 @@ impl Mistake {
             }
             Kind::NormalAwayFromCentre => format!("{at} points away from its centre"),
             Kind::NormalOfWrongLink => format!("{at} with ω, velocity, length or direction of another link"),
-            Kind::NormalMissing | Kind::CoriolisMissing => format!("{at} was left out"),
+            Kind::NormalMissing | Kind::CoriolisMissing | Kind::SlipMissing => format!("{at} was left out"),
             Kind::CoriolisWithoutTwo => format!("{at} without the factor 2"),
             Kind::CoriolisWrongOmega => format!("{at} with the ω of another link"),
             Kind::CoriolisWrongTurn => format!("{at} turned the wrong way"),
@@ -86,6 +86,11 @@ impl Mistake {
             Kind::WrongCentreLine => format!("{at}: found on a line on which it does not lie"),
             Kind::Interchanged => format!("{at} interchanged"),
             Kind::InputSpeed => format!("{at} with another speed than the given one"),
+            Kind::GuideMisplaced => format!("the guide of {at} stands elsewhere than given"),
+            Kind::PointLaidOff => format!("{at} stands elsewhere on its link than given"),
+            Kind::ImageOnLine => format!("{at} taken on the line of the other two images"),
+            Kind::MomentReversed => format!("{at}: its moment with the wrong sign"),
+            Kind::FrictionMisread => format!("{at} with another coefficient of friction than given"),
             Kind::WrongFormula => format!("{at}: calculated by another formula"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
@@ -220,6 +225,20 @@ impl Mistake {
             }
             Kind::Interchanged => "Look which of the two belongs to which name.",
             Kind::InputSpeed => "Read the given speed once more, with its unit.",
+            Kind::GuideMisplaced => {
+                "Lay off the line of the guide once more: its offset, on its side, and its angle."
+            }
+            Kind::PointLaidOff => {
+                "Lay off the third point of the link once more, by its lengths, its angle and its side."
+            }
+            Kind::ImageOnLine => {
+                "A point that does not lie on the line of two others has its image beside the line of theirs: the triangles are similar."
+            }
+            Kind::MomentReversed => {
+                "Draw the sense in which each force turns the link about that point: those that turn the same way have one sign."
+            }
+            Kind::FrictionMisread => "Read f or φ once more: tan φ = f.",
+            Kind::SlipMissing => "The pin slides in its guide: the point under it has another velocity.",
             Kind::WrongFormula => "Write the formula down with its letters before you put numbers in.",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }

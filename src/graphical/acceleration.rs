@@ -263,14 +263,14 @@ impl Draughtsman<'_> {
         let reason = self.reason(&[wheel]);
         let ray = Line { through: known, along: normal };
         let meet = self.board.meet_lines(arm.ray, ray, reason);
-        self.note_under(Order::Acceleration, contact, wheel, meet.at);
+        let at = self.note_under(Order::Acceleration, contact, wheel, meet.at);
         let label = self.label_under(contact, wheel);
         self.act(Act::MarkMeet { label, crossing: meet.crossing });
-        self.note_ray(Order::Acceleration, arm.foot.1, meet.at, arm.claim);
-        self.note_ray(Order::Acceleration, known, meet.at, along_normal);
+        self.note_ray(Order::Acceleration, arm.foot.1, at, arm.claim);
+        self.note_ray(Order::Acceleration, known, at, along_normal);
         let target = Target::Under(contact, wheel);
-        self.read_alpha(&arm, target, (wheel, centre), (label, meet.at), meet.along[0]);
-        self.read_contact_normal((roll, wheel), along_normal, (label, meet.at), (label_other, known));
+        self.read_alpha(&arm, target, (wheel, centre), (label, at), meet.along[0]);
+        self.read_contact_normal((roll, wheel), along_normal, (label, at), (label_other, known));
         self.points_of_wheel(Order::Acceleration, step, wheel, centre);
     }
 

@@ -77,6 +77,17 @@ pub enum Departure {
         /// Where, millimetres from the pole.
         at: Mm2,
     },
+    /// The image of the point of a link under a pin of another stands elsewhere.
+    Under {
+        /// In which polygon.
+        order: Order,
+        /// The pin.
+        pin: PointId,
+        /// The link.
+        link: LinkId,
+        /// Where, millimetres from the pole.
+        at: Mm2,
+    },
     /// The image of a point lies on the wrong side of the image of a line of its link.
     Mirrored {
         /// In which polygon.
@@ -371,6 +382,17 @@ impl Draughtsman<'_> {
             }
         }
         at
+    }
+
+    /// The image of the point of a link under a pin as it stands on the paper.
+    pub(super) fn under_as_drawn(&mut self, order: Order, pin: PointId, link: LinkId, at: Point) -> Point {
+        let stated = self.departures.iter().rev().find_map(|departure| match *departure {
+            Departure::Under { order: o, pin: of, link: on, at } if (o, of, on) == (order, pin, link) => {
+                Some(at)
+            }
+            _ => None,
+        });
+        stated.map_or(at, |there| self.board.copied(there))
     }
 
     /// Whether a point has an image yet.

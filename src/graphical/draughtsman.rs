@@ -659,8 +659,9 @@ impl<'m> Draughtsman<'m> {
         self.parts.push(Part { quantity, tail, head });
     }
 
-    /// Notes the image of the point of a link under a pin.
-    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point) {
+    /// Notes the image of the point of a link under a pin, and tells where it stands.
+    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point) -> Point {
+        let image = self.under_as_drawn(order, pin, link, image);
         self.coincident.push(Coincident { order, pin, link, image });
         let label = self.label_under(pin, link);
         self.note_foot(order, label, image);
@@ -670,6 +671,7 @@ impl<'m> Draughtsman<'m> {
             _ => Quantity::CoincidentVelocity(pin, link),
         };
         self.note_part(quantity, pole, image);
+        image
     }
 
     /// Notes the image of a point, and tells where it stands.

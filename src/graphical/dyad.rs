@@ -496,15 +496,10 @@ impl Draughtsman<'_> {
         self.equation(equation);
         let reason = self.reason(&links);
         let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
-        let mut at = meet.at;
-        let label = match target {
-            Target::Pin(pin) => {
-                at = self.note_image(order, pin, meet.at);
-                self.label(pin)
-            }
+        let (at, label) = match target {
+            Target::Pin(pin) => (self.note_image(order, pin, meet.at), self.label(pin)),
             Target::Under(pin, link) => {
-                self.note_under(order, pin, link, meet.at);
-                self.label_under(pin, link)
+                (self.note_under(order, pin, link, meet.at), self.label_under(pin, link))
             }
         };
         self.act(Act::MarkMeet { label, crossing: meet.crossing });

@@ -277,7 +277,7 @@ impl Draughtsman<'_> {
         let contact = self.contact_of(roll);
         let other = self.rolled_on(roll, wheel);
         let image = self.contact_image(Order::Velocity, roll, other);
-        self.note_under(Order::Velocity, contact, wheel, image);
+        let image = self.note_under(Order::Velocity, contact, wheel, image);
         let labels = (self.label_under(contact, wheel), self.label_under(contact, other));
         self.act(Act::SameImage { label: labels.0, with: labels.1 });
         (labels.0, image)
@@ -762,7 +762,7 @@ impl Draughtsman<'_> {
             }
             None => self.translated_image(order, link, pin),
         };
-        self.note_under(order, pin, link, image);
+        let image = self.note_under(order, pin, link, image);
         let label = self.label_under(pin, link);
         let quantity = match order {
             Order::Acceleration => Quantity::CoincidentAcceleration(pin, link),
@@ -776,7 +776,7 @@ impl Draughtsman<'_> {
     /// looks for the quantity finds the whole.
     fn velocity_under(&mut self, link: LinkId, base: PointId, pin: PointId) -> Point {
         let image = self.turned_about(link, base, pin);
-        self.note_under(Order::Velocity, pin, link, image);
+        let image = self.note_under(Order::Velocity, pin, link, image);
         if self.mechanism.is_fixed(base) {
             self.note_turned(link, base, pin, image);
             return image;

@@ -302,10 +302,11 @@ impl Scale {
         })
     }
 
-    /// Reads `cm`, `rad/s^2`, `m*rad/s`.
+    /// Reads `cm`, `rad/s^2`, `m*rad/s`, and `N·m` as sheets print it.
     pub(crate) fn parse(text: &str, at: usize) -> Res<Self> {
         let wrong = |what: String| Fault::new(at, what);
-        let text = text.trim();
+        let text = text.trim().replace(DOTS, "*");
+        let text = text.as_str();
         if let Some(base) = Self::base(text) {
             return Ok(base);
         }
@@ -434,6 +435,9 @@ impl Scale {
         self.refined(value, error, DoubleDouble::sum(rest, read.low), read.low_error)
     }
 }
+
+/// How a product of units is printed.
+const DOTS: [char; 2] = ['\u{b7}', '\u{22c5}'];
 
 /// SI units per unit, to double-double: from the unit's symbol, since a double would round it.
 #[must_use]

@@ -15,6 +15,7 @@ use super::words::Language;
 use crate::graphical::construction::{Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind};
 use crate::mechanism::force::Action;
 use crate::mechanism::quantity::{DiagramKind, Quantity};
+use crate::mechanism::{Mechanism, PointId};
 use crate::scene::Scene;
 
 /// A vector of the student that lies nearer to the right one than this (mm) is not drawn twice.
@@ -92,6 +93,8 @@ pub struct HandedIn {
 const FARTHEST: f64 = 3.0;
 /// The largest force of a body, mm.
 const LARGEST_FORCE: f64 = 60.0;
+/// Two marks of a student with one letter that stand no farther apart (mm) are one.
+const TWICE: f64 = 1.5;
 /// Radius of the mark of a student's centre, mm.
 const DOT: f64 = 1.2;
 /// It stands at least so far, mm.
@@ -121,6 +124,7 @@ pub fn overlay(
     if !own.places.is_empty() || !on_skeleton.is_empty() {
         let mut panel = skeleton::draw(&right, &notation);
         let ink = panel.bounds().unwrap_or(Rect::ZERO);
+        draw_links(&mut panel, &scene.mechanism, (&right, student, &own.places), ink);
         draw_places(&mut panel, &own.places, ink, &notation);
         for (number, fault) in &on_skeleton {
             if let Spot::In(_, at) = fault.at {
@@ -138,8 +142,12 @@ pub fn overlay(
         let extent = extent.fold(LEAST_REACH, f64::max);
         let reach = FARTHEST * extent;
         for vector in own.vectors.iter().filter(|vector| vector.diagram == polygon.kind) {
-            let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
-            if !arrows.iter().any(|(from, to, ..)| near(*from, vector.from) && near(*to, vector.to)) {
+            // What is handed in as a value and as a point of the drawing is drawn once.
+            let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= TWICE;
+            let known = |(from, to, head, _): &(Mm2, Mm2, Label, bool)| {
+                *head == vector.head && near(*from, vector.from) && near(*to, vector.to)
+            };
+            if !arrows.iter().any(known) {
                 arrows.push((vector.from, vector.to, vector.head, true));
             }
         }
@@ -211,17 +219,49 @@ fn within(at: Point, skeleton: Rect) -> Point {
     if over > 1.0 { middle + way * (1.0 / over) } else { at }
 }
 
-/// The right places as dots, the student's as open circles; a dashed line from one to the other.
+/// The links of the student's skeleton, dashed, where a joint stands elsewhere: as he handed it in, or as it follows.
+fn draw_links(
+    panel: &mut Group,
+    mechanism: &Mechanism,
+    (right, student, places): (&Construction, &Construction, &[(Quantity, Mm2, Mm2)]),
+    skeleton: Rect,
+) {
+    let own = |point: PointId| {
+        let given = places.iter().find(|(of, ..)| *of == Quantity::Position(point)).map(|(_, own, _)| *own);
+        given.or_else(|| student.space.places.get(point.0).copied().flatten())
+    };
+    let moved = |point: PointId| {
+        let right = right.space.places.get(point.0).copied().flatten();
+        let pair = right.zip(own(point));
+        pair.is_some_and(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]) > TWICE)
+    };
+    for link in mechanism.moving() {
+        let points = &mechanism.link(link).points;
+        let closes = (points.len() > 2).then(|| [points[0], points[points.len() - 1]]);
+        for [a, b] in points.windows(2).map(|two| [two[0], two[1]]).chain(closes) {
+            if let (true, Some(from), Some(to)) = (moved(a) || moved(b), own(a), own(b)) {
+                let [from, to] = [from, to].map(|at| within(page(at), skeleton));
+                let dashed = Pen { width: THIN, dash: Dash::Dashed };
+                panel.mark(Mark::stroke(Shape::Line(from, to), dashed).class("student"));
+            }
+        }
+    }
+}
+
+/// The student's places as open circles; of a centre the right one as a dot, and a dashed line from one to the other.
 fn draw_places(panel: &mut Group, places: &[(Quantity, Mm2, Mm2)], skeleton: Rect, notation: &Notation<'_>) {
     for &(quantity, own, right) in places {
         let [own, right] = [own, right].map(|at| within(page(at), skeleton));
-        let dashed = Pen { width: FINE, dash: Dash::Dashed };
-        panel.mark(Mark::stroke(Shape::Line(right, own), dashed).class("student"));
         let open = Shape::Circle { centre: own, radius: DOT };
         panel.mark(Mark::stroke(open, Pen::solid(THIN)).class("student"));
-        panel.mark(Mark::area(Shape::Circle { centre: right, radius: DOT / 2.0 }, Tone::Ink));
         let letter = notation.symbol(quantity, false);
-        name(panel, &letter, right, DOT, "label");
+        // A joint stands on the skeleton with its letter already.
+        if !matches!(quantity, Quantity::Position(_)) {
+            let dashed = Pen { width: FINE, dash: Dash::Dashed };
+            panel.mark(Mark::stroke(Shape::Line(right, own), dashed).class("student"));
+            panel.mark(Mark::area(Shape::Circle { centre: right, radius: DOT / 2.0 }, Tone::Ink));
+            name(panel, &letter, right, DOT, "label");
+        }
         name(panel, &letter.up("*"), own, DOT, "label student-name");
     }
 }
@@ -320,7 +360,7 @@ fn draw_arrows(
     panel.group(group);
     let mut named: Vec<(Label, Mm2)> = Vec::new();
     for &(_, to, label, _) in arrows {
-        let near = |at: Mm2| libm::hypot(at[0] - to[0], at[1] - to[1]) <= SAME;
+        let near = |at: Mm2| libm::hypot(at[0] - to[0], at[1] - to[1]) <= TWICE;
         if label == Label::Pole || named.iter().any(|(known, at)| *known == label && near(*at)) {
             continue;
         }
