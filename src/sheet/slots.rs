@@ -361,12 +361,15 @@ impl Artist<'_> {
             return through;
         }
         let (near, far) = CYLINDER;
-        match ends.len() {
-            // Where it ends is stated nowhere.
-            ..2 => Tube { near, far, end: PISTON, piston: true },
-            _ if tip >= near + STROKE => Tube { near, far, end: tip, piston: true },
-            _ => Tube { near: tip - STROKE, far: SLEEVE.1, end: tip, piston: true },
+        // A rod that is stated from the joint to the side away from it ends on this side nowhere.
+        let first = ends.first().map_or(tip, |(_, p)| (*p - middle).dot(way));
+        if first >= tip - PIN {
+            return Tube { near, far, end: PISTON, piston: true };
         }
+        if tip >= near + STROKE {
+            return Tube { near, far, end: tip, piston: true };
+        }
+        Tube { near: tip - STROKE, far: SLEEVE.1, end: tip, piston: true }
     }
 
     /// The wheel of a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs,
