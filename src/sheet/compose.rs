@@ -927,6 +927,19 @@ fn text_boxes(group: &Group) -> Vec<Rect> {
     all
 }
 
+/// The boxes of the rules of a table in a group.
+fn rules(group: &Group) -> Vec<Rect> {
+    let mut all = Vec::new();
+    group.walk(&mut |node| {
+        if let Node::Mark(mark) = node
+            && mark.class == "rule"
+        {
+            all.push(mark.bounds());
+        }
+    });
+    all
+}
+
 /// The lines of a column, with what may not be parted from the next line.
 struct Strip {
     group: Group,
@@ -1061,7 +1074,8 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
     if words.right_to_left {
         // Letters of Arabic script reach up and down by very different amounts.
         for i in 1..all.len() {
-            let (above, below) = (text_boxes(&all[i - 1].group), text_boxes(&all[i].group));
+            let (above, mut below) = (text_boxes(&all[i - 1].group), text_boxes(&all[i].group));
+            below.extend(rules(&all[i].group));
             all[i - 1].height = all[i - 1].height.max(clear_of(&above, &below));
         }
     }

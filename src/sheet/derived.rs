@@ -166,6 +166,32 @@ fn turned(number: &Rich, ratio: f64) -> Rich {
     }
 }
 
+/// A place that is measured, in the unit in which it is asked.
+fn place(value: [f64; 2], bound: f64, asked: &Asked) -> Rich {
+    let part = |v: f64| human::number(if v.abs() <= bound { 0.0 } else { v / asked.unit.si });
+    let [x, y] = value.map(part);
+    let pair = Rich::upright("(").then(&x).up(";\u{a0}").then(&y).up(")");
+    human::with_unit(&pair, &asked.unit.symbol)
+}
+
+/// The asked centres that were constructed, as they are measured; none where all of them are seen from the pairs.
+pub(super) fn centres(construction: &Construction, n: &Notation<'_>) -> Option<Rich> {
+    let circle = construction.circle.as_ref()?;
+    let asked = n.mechanism().asked.iter().zip(&construction.answers);
+    let told: Vec<Rich> = asked
+        .filter_map(|(asked, reading)| {
+            let (Quantity::Centre(i, j), Answer::Vector { value, bound }) = (asked.quantity, &reading.answer)
+            else {
+                return None;
+            };
+            let centre = circle.centre(crate::plan::chord(i, j))?;
+            let symbol = n.symbol(asked.quantity, false).up("\u{a0}");
+            (!centre.found.is_primary()).then(|| symbol.then(&place(*value, *bound, asked)))
+        })
+        .collect();
+    (!told.is_empty()).then(|| Rich::fill(n.words.measured_arms, &[("list", n.list(&told))]))
+}
+
 impl Teller<'_> {
     /// What is measured on the skeleton.
     fn measured(&self, asked: &Asked, reading: &Reading) -> Option<Rich> {
@@ -186,22 +212,11 @@ impl Teller<'_> {
                 Some(is(&human::quantity(*value, &asked.unit)))
             }
             (Quantity::Position(point), Answer::Vector { .. }) if n.mechanism().is_fixed(point) => None,
-            // A centre that is seen from the pairs is a point of the figure.
-            (Quantity::Centre(i, j), Answer::Vector { .. }) if self.is_primary([i, j]) => None,
-            (Quantity::Position(_) | Quantity::Centre(..), Answer::Vector { value, bound }) => {
-                let part = |v: f64| human::number(if v.abs() <= *bound { 0.0 } else { v / asked.unit.si });
-                let [x, y] = value.map(part);
-                let pair = Rich::upright("(").then(&x).up(";\u{a0}").then(&y).up(")");
-                Some(symbol.up("\u{a0}").then(&human::with_unit(&pair, &asked.unit.symbol)))
+            (Quantity::Position(_), Answer::Vector { value, bound }) => {
+                Some(symbol.up("\u{a0}").then(&place(*value, *bound, asked)))
             }
             _ => None,
         }
-    }
-
-    fn is_primary(&self, links: [LinkId; 2]) -> bool {
-        let circle = self.construction.circle.as_ref();
-        let centre = circle.and_then(|circle| circle.centre(crate::plan::chord(links[0], links[1])));
-        centre.is_some_and(|centre| centre.found.is_primary())
     }
 
     /// What follows from rates and vectors that were told.

@@ -20,6 +20,8 @@ const PISTON: f64 = 4.5;
 const STROKE: f64 = 4.0;
 /// Half length of the tangent under a pin in a curved slot.
 const TANGENT: f64 = 5.0;
+/// How far the radius of a curved guide runs toward a centre that lies far off.
+pub(super) const TOWARD: f64 = 24.0;
 /// Half the angle of a step along a curved outline.
 const CHORD: f64 = 0.02;
 
@@ -295,10 +297,13 @@ impl Artist<'_> {
                 continue;
             };
             let born = self.born_rider(slide);
-            // A centre that no point marks has a dot of its own.
-            if matches!(centre, GuidePoint::Own(_)) && window.contains(middle) {
+            // A centre that no point marks has a dot of its own; one that lies far off is only pointed to.
+            let own = matches!(centre, GuidePoint::Own(_));
+            let far = own && !self.near(middle);
+            if own && !far {
                 all.mark_lived(dot(middle, 0.5).class("centre"), born);
             }
+            let middle = if far { rider + (middle - rider).normalize() * TOWARD } else { middle };
             if let Some((centre, rider)) = part_inside(middle, rider, window) {
                 let axis = Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis");
                 all.mark_lived(axis, born);
@@ -356,12 +361,15 @@ impl Artist<'_> {
             return through;
         }
         let (near, far) = CYLINDER;
-        match ends.len() {
-            // Where it ends is stated nowhere.
-            ..2 => Tube { near, far, end: PISTON, piston: true },
-            _ if tip >= near + STROKE => Tube { near, far, end: tip, piston: true },
-            _ => Tube { near: tip - STROKE, far: SLEEVE.1, end: tip, piston: true },
+        // A rod that is stated from the joint to the side away from it ends on this side nowhere.
+        let first = ends.first().map_or(tip, |(_, p)| (*p - middle).dot(way));
+        if first >= tip - PIN {
+            return Tube { near, far, end: PISTON, piston: true };
         }
+        if tip >= near + STROKE {
+            return Tube { near, far, end: tip, piston: true };
+        }
+        Tube { near: tip - STROKE, far: SLEEVE.1, end: tip, piston: true }
     }
 
     /// The wheel of a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs,

@@ -13,6 +13,7 @@ use super::labels::{Obstacles, Request, Site};
 use super::pose::GuideLine;
 use super::rich::Rich;
 use super::skeleton::{Artist, BLOCK, PIN, SLOT_BLOCK, nearest};
+use super::slots::TOWARD;
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
@@ -70,7 +71,7 @@ pub(super) fn lies_with_axes(direction: Direction, turned: f64) -> bool {
 
 impl Artist<'_> {
     /// Where dimensions of their own may stand: at the mechanism and a little beside it.
-    fn near(&self, at: Point) -> bool {
+    pub(super) fn near(&self, at: Point) -> bool {
         let places = self.construction.space.places.iter().flatten().map(|at| super::ink::page(*at));
         let own = places.fold(None, |all: Option<Rect>, at| {
             Some(all.map_or(Rect::from_points(at, at), |all| all.union_pt(at)))
@@ -215,8 +216,9 @@ impl Artist<'_> {
             Path::Arc { radius, .. } => {
                 if near {
                     self.own_place(all, ink, guide.link, place, base);
-                    self.radius(all, ink, (base, at), radius.value);
                 }
+                let from = if near { base } else { at + (base - at).normalize() * TOWARD };
+                self.radius(all, ink, (from, at), radius.value);
                 return;
             }
             Path::Straight { direction, turned, offset, .. } => (direction, turned.value, offset.value),

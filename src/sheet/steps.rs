@@ -182,7 +182,9 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         all.push(Told { step, drawn: Some(drawn), items, acts });
     };
     if let Some(circle) = &construction.circle {
-        more(Panel::Centres, super::circle::items(circle, notation));
+        let read = super::derived::centres(construction, notation);
+        let read = read.map(|read| (Item::Sentence(read), None));
+        more(Panel::Centres, super::circle::items(circle, notation).into_iter().chain(read).collect());
         for (index, mut items) in
             super::transfer::items(circle, construction, notation, figures).into_iter().enumerate()
         {
