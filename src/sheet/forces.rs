@@ -1034,18 +1034,22 @@ fn three_forces(
     let resultant = on_page(meet.through, construction);
     let found = acting.iter().filter(|acting| acting.closes);
     let lines = found.map(|acting| on_page(acting.through, construction)).chain([resultant]);
+    // As far as a line is drawn.
+    let reach = |from: Point| {
+        let away = from.distance(at);
+        if away > REACH { from + (at - from) * (REACH / 2.0 / away) } else { at }
+    };
     if known.len() > 1 || couples {
-        let site = Site::Along { from: resultant, to: at };
+        let site = Site::Along { from: resultant, to: reach(resultant) };
         let mut request = Request::new(resultant_name(meet.link, notation), LABEL, site, "label force-name");
         request.leader = true;
         requests.push(request);
     }
     for from in lines {
-        let away = from.distance(at);
-        if away < SHORTEST {
+        if from.distance(at) < SHORTEST {
             continue;
         }
-        let end = if away > REACH { from + (at - from) * (REACH / 2.0 / away) } else { at };
+        let end = reach(from);
         reached |= end == at;
         own.mark(Mark::stroke(Shape::Line(from, end), Pen { width: FINE, dash: Dash::Dashed }).precise());
     }
