@@ -320,6 +320,8 @@ struct Stroke {
     symbol: Rich,
     quantity: String,
     of: Laid,
+    /// The middle of the triangle of a force and its parts, newtons from the pole: its name stands on the other side.
+    triangle: Option<[f64; 2]>,
 }
 
 /// What a stroke of a polygon is.
@@ -369,15 +371,16 @@ fn strokes(
     for own in acting {
         let ends = [at, plus(at, own.force)];
         at = ends[1];
-        let whole = |of: Laid| Stroke {
+        let whole = |of: Laid, triangle: Option<[f64; 2]>| Stroke {
             ends,
             symbol: symbol(own.action, notation),
             quantity: own.action.name(mechanism),
             of,
+            triangle,
         };
         let of = if own.closes { Laid::Found } else { Laid::Known };
         let Some(parts) = laid_off_in_parts(sheet, panel, own) else {
-            all.push(whole(of));
+            all.push(whole(of, None));
             open |= own.closes;
             continue;
         };
@@ -388,12 +391,14 @@ fn strokes(
         let (first, second) =
             if open { ((along, of), (across, Laid::Known)) } else { ((across, Laid::Known), (along, of)) };
         let mut from = ends[0];
+        let knee = plus(from, first.0.0);
+        let triangle = Some([0, 1].map(|axis| (ends[0][axis] + knee[axis] + ends[1][axis]) / 3.0));
         for ((force, symbol, quantity), of) in [first, second] {
             let to = plus(from, force);
-            all.push(Stroke { ends: [from, to], symbol, quantity, of });
+            all.push(Stroke { ends: [from, to], symbol, quantity, of, triangle });
             from = to;
         }
-        all.push(whole(Laid::Sum));
+        all.push(whole(Laid::Sum, triangle));
         open |= own.closes;
     }
     all
@@ -1499,6 +1504,13 @@ fn polygon(
         group.group(own);
         let text = stroke.symbol.clone();
         let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+        if let Some(middle) = stroke.triangle.map(place_of) {
+            let (at, along) = (from.midpoint(to), to - from);
+            let square = Vec2::new(-along.y, along.x);
+            let away = if square.dot(at - middle) < 0.0 { -square } else { square };
+            let toward = Some(libm::atan2(-away.y, away.x));
+            request.sites.insert(0, Site::Around { at, radius: 0.6, toward });
+        }
         if from.distance(to) < CROWDED {
             let at = from.midpoint(to);
             request = Request { sites: vec![Site::Around { at, radius: 1.2, toward: None }], ..request };
