@@ -847,7 +847,8 @@ impl Teller<'_> {
     fn of_lever(&self, act: &AuxiliaryAct) -> Option<Vec<Rich>> {
         let n = self.notation;
         let words = n.words;
-        let watt = Unit { symbol: "W".to_owned(), si: 1.0 };
+        let si = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
+        let watt = si("W");
         // As it is printed, and with how many figures more than usual.
         let power = |of: Force, value: f64| {
             let mut figures = self.figures.borrow_mut();
@@ -875,10 +876,16 @@ impl Teller<'_> {
             }
             AuxiliaryAct::CoupleOnLever { of, link, torque, omega: rate } => {
                 let moment = torque * rate;
-                let (watts, result) = power(of, moment);
-                let [t, w] = human::closing_finer([torque.abs(), rate.abs()], result, |[t, w]| t * w);
+                // What turns twice has one number.
+                let factors = [
+                    (Some(Key::Of(Quantity::Force(of, Share::Total))), torque, &si("N·m")),
+                    (Some(Key::of(Quantity::Omega(link), n)), rate, &si("rad/s")),
+                ];
+                let told = (Some(Key::Power(of)), moment.abs(), &watt);
+                let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, |x| x[0] * x[1]);
                 let line = force_symbol(of, n).up(DOT).then(&omega(link)).up(EQUALS);
-                let line = line.then(&t).up(TIMES).then(&w).up(EQUALS).then(&watts);
+                let line = line.then(&x[0]).up(TIMES).then(&x[1]).up(EQUALS);
+                let line = line.then(&human::with_unit(&text, &watt.symbol));
                 let parts = [("link", Rich::upright(n.number(link))), ("moment", line.word(n.sense(moment)))];
                 Rich::fill(words.lever_couple, &parts)
             }
@@ -891,7 +898,6 @@ impl Teller<'_> {
                     Some(link) => omega(link),
                     None => n.symbol(Quantity::Velocity(point?), false),
                 };
-                let si = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
                 let (own, of_rate, rate_unit) = match driven {
                     Some(link) => (si("N·m"), Quantity::Omega(link), si("rad/s")),
                     None => (si("N"), Quantity::Velocity(point?), si("m/s")),
@@ -907,7 +913,8 @@ impl Teller<'_> {
                 let mut figures = self.figures.borrow_mut();
                 // As the other way to it can tell it.
                 let [all, result] = [Key::Given("ΣM"), Key::Power(of)];
-                figures.want_one(result);
+                let rate_key = Key::of(of_rate, n);
+                [all, rate_key, result].into_iter().for_each(|key| figures.want_one(key));
                 let mut sum = Rich::upright("Σ").it("M").up(EQUALS);
                 let told = match terms[..] {
                     [(only, _)] => {
@@ -937,7 +944,7 @@ impl Teller<'_> {
                     }
                 };
                 let sum = sum.then(&told).up("\u{a0}W");
-                let factors = [(Some(all), moments, &watt), (Some(Key::of(of_rate, n)), speed, &rate_unit)];
+                let factors = [(Some(all), moments, &watt), (Some(rate_key), speed, &rate_unit)];
                 let reckon = |x: &[f64]| x[0].copysign(-moments) / x[1].copysign(speed);
                 let (x, text, _) = figures.line_of(&factors, (Some(result), effort, &own), reckon);
                 let sign = |value: f64| if value < 0.0 { "−" } else { "" };

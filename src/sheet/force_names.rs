@@ -32,8 +32,8 @@ pub(super) fn laid_off(notation: &Notation<'_>, action: Action) -> Rich {
     if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
 }
 
-/// The symbol of a load: its name; of one that the scene leaves without a name P, or M of a torque, with the number of the
-/// link, and its own number there where the link has several.
+/// The symbol of a load: its name; of one that the scene leaves without a name P, or T of a torque, with the number of the
+/// link, and its own number there where the link has several. T₂ of a driven link is its effort: a load on it is T_L2.
 pub(super) fn load(notation: &Notation<'_>, index: usize) -> Rich {
     let loads = &notation.mechanism().forces.loads;
     let own = &loads[index];
@@ -48,7 +48,13 @@ pub(super) fn load(notation: &Notation<'_>, index: usize) -> Rich {
     let several = (0..loads.len()).filter(alike).count() > 1;
     let link = notation.number(own.link);
     let sub = if several { format!("{link},{}", before + 1) } else { link };
-    Rich::italic(if own.is_torque() { "M" } else { "P" }).sub(&sub)
+    let mechanism = notation.mechanism();
+    let driven = (0..mechanism.inputs.len()).any(|input| mechanism.driven_link(input) == Some(own.link));
+    match (own.is_torque(), driven) {
+        (false, _) => Rich::italic("P").sub(&sub),
+        (true, false) => Rich::italic("T").sub(&sub),
+        (true, true) => Rich::italic("T").sub(&format!("L{sub}")),
+    }
 }
 
 /// Whether the scene gives a load no name.

@@ -320,6 +320,8 @@ struct Stroke {
     symbol: Rich,
     quantity: String,
     of: Laid,
+    /// The middle of the triangle of a force and its parts, newtons from the pole: its name stands on the other side.
+    triangle: Option<[f64; 2]>,
 }
 
 /// What a stroke of a polygon is.
@@ -369,15 +371,16 @@ fn strokes(
     for own in acting {
         let ends = [at, plus(at, own.force)];
         at = ends[1];
-        let whole = |of: Laid| Stroke {
+        let whole = |of: Laid, triangle: Option<[f64; 2]>| Stroke {
             ends,
             symbol: symbol(own.action, notation),
             quantity: own.action.name(mechanism),
             of,
+            triangle,
         };
         let of = if own.closes { Laid::Found } else { Laid::Known };
         let Some(parts) = laid_off_in_parts(sheet, panel, own) else {
-            all.push(whole(of));
+            all.push(whole(of, None));
             open |= own.closes;
             continue;
         };
@@ -388,12 +391,14 @@ fn strokes(
         let (first, second) =
             if open { ((along, of), (across, Laid::Known)) } else { ((across, Laid::Known), (along, of)) };
         let mut from = ends[0];
+        let knee = plus(from, first.0.0);
+        let triangle = Some([0, 1].map(|axis| (ends[0][axis] + knee[axis] + ends[1][axis]) / 3.0));
         for ((force, symbol, quantity), of) in [first, second] {
             let to = plus(from, force);
-            all.push(Stroke { ends: [from, to], symbol, quantity, of });
+            all.push(Stroke { ends: [from, to], symbol, quantity, of, triangle });
             from = to;
         }
-        all.push(whole(Laid::Sum));
+        all.push(whole(Laid::Sum, triangle));
         open |= own.closes;
     }
     all
@@ -1034,18 +1039,22 @@ fn three_forces(
     let resultant = on_page(meet.through, construction);
     let found = acting.iter().filter(|acting| acting.closes);
     let lines = found.map(|acting| on_page(acting.through, construction)).chain([resultant]);
+    // As far as a line is drawn.
+    let reach = |from: Point| {
+        let away = from.distance(at);
+        if away > REACH { from + (at - from) * (REACH / 2.0 / away) } else { at }
+    };
     if known.len() > 1 || couples {
-        let site = Site::Along { from: resultant, to: at };
+        let site = Site::Along { from: resultant, to: reach(resultant) };
         let mut request = Request::new(resultant_name(meet.link, notation), LABEL, site, "label force-name");
         request.leader = true;
         requests.push(request);
     }
     for from in lines {
-        let away = from.distance(at);
-        if away < SHORTEST {
+        if from.distance(at) < SHORTEST {
             continue;
         }
-        let end = if away > REACH { from + (at - from) * (REACH / 2.0 / away) } else { at };
+        let end = reach(from);
         reached |= end == at;
         own.mark(Mark::stroke(Shape::Line(from, end), Pen { width: FINE, dash: Dash::Dashed }).precise());
     }
@@ -1495,6 +1504,13 @@ fn polygon(
         group.group(own);
         let text = stroke.symbol.clone();
         let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+        if let Some(middle) = stroke.triangle.map(place_of) {
+            let (at, along) = (from.midpoint(to), to - from);
+            let square = Vec2::new(-along.y, along.x);
+            let away = if square.dot(at - middle) < 0.0 { -square } else { square };
+            let toward = Some(libm::atan2(-away.y, away.x));
+            request.sites.insert(0, Site::Around { at, radius: 0.6, toward });
+        }
         if from.distance(to) < CROWDED {
             let at = from.midpoint(to);
             request = Request { sites: vec![Site::Around { at, radius: 1.2, toward: None }], ..request };
