@@ -309,8 +309,8 @@ impl Judge<'_, '_> {
         (mistakes, change)
     }
 
-    /// An answer of the same polygon from which this one follows, which does not follow from it and which `change`, the best
-    /// explanation of this one, does not lead to: the fault is there.
+    /// A vector on its own line in the same polygon from which this answer follows, which does not follow from it and to which
+    /// `change`, the best explanation of this answer, does not lead: the fault is there.
     fn cause(&self, change: &Change) -> Option<usize> {
         let sketch = self.case.drawn(change, None)?;
         let seen = self.case.seen(&sketch, change);
@@ -326,10 +326,23 @@ impl Judge<'_, '_> {
             let (of, at, _) = self.case.observations[other].rank;
             let left = self.case.miss(other, seen[other].as_deref(), self.case.rooms[other]) > EXPLAINED;
             let open = self.verdicts[other].is_none() && !self.case.hands_in_nothing(other);
-            other != self.first && of == order && at != usize::MAX && open && left
+            other != self.first
+                && of == order
+                && at != usize::MAX
+                && open
+                && left
+                && self.lies_on_its_line(other)
         };
         let mut others = (0..self.verdicts.len()).filter(beside).filter(|_| step != usize::MAX);
         others.find(|&other| follows(self.first, other) && !follows(other, self.first))
+    }
+
+    /// Whether a vector is wrong in its length or its sense alone: it was read on its own line.
+    fn lies_on_its_line(&self, index: usize) -> bool {
+        let [_, turn] = self.case.misses(index, self.case.truth[index].as_deref());
+        let back = std::f64::consts::PI - turn;
+        let vector = self.case.observations[index].quantity.as_ref().is_some_and(super::answers::is_vector);
+        vector && turn.min(back) <= self.case.rooms[index].turn
     }
 
     /// One mistake that was made with the student's own earlier values, where none explains the answer by those that belong

@@ -1593,7 +1593,9 @@ impl<'c> List<'c, '_> {
                 let own = Label::Image { point: of, link: None };
                 fixed.or_else(|| images.iter().rev().find(|image| image.label == own).map(|image| image.at))
             };
-            let ([a, b], _) = ([at(from)?, at(to)?], at(point)?);
+            // Only where the point has an image at all.
+            at(point)?;
+            let [a, b] = [at(from)?, at(to)?];
             let at = [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis]));
             Some(Departure::Image { order, point, at })
         };
