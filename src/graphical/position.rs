@@ -1746,6 +1746,10 @@ impl Draughtsman<'_> {
         let points = self.mechanism.link(link).points.clone();
         let given: Vec<(PointId, Point)> =
             points.into_iter().filter_map(|p| Some((p, self.given_place(p)?))).collect();
+        // Its pivot alone stands there in both, and a pencil's width would tell them apart.
+        if given.len() < 2 {
+            return None;
+        }
         let per_mm = self.scales.length();
         let before = self.poses[link.0];
         let [first, second] = poses.map(|pose| {

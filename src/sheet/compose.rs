@@ -157,7 +157,9 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         // Some lines alone on a last page are taken back: the lines of all pages stand a little nearer to each other, or the
         // results elsewhere.
         let others = ways[1..].iter().map(|way| (*way, 1.0));
-        let closer = TIGHTER.iter().flat_map(|tight| ways.iter().map(|way| (*way, *tight)));
+        // Letters of Arabic script reach farther up and down.
+        let tighter = if words.right_to_left { &TIGHTER[..2] } else { &TIGHTER[..] };
+        let closer = tighter.iter().flat_map(|tight| ways.iter().map(|way| (*way, *tight)));
         for (way, tight) in others.chain(closer) {
             let other = set(way, tight, 0);
             if !lost(&other) && other.pages.len() <= best.pages.len() {

@@ -125,34 +125,72 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
 /// it takes for the product to be the printed one, a fifth as a guard; what then lies half way is read a hundredth further off.
 /// With so many figures more than usual; and the number that then stands there.
 pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
-    let finest = match mm {
+    let more = read_figures(result, more);
+    let (wanted, written) = limited(result, more);
+    if let Some(reading) = reading_as(mm, factor, written, more) {
+        return (reading, wanted, written);
+    }
+    // No ruler reads finer: the result is that of what was read.
+    let decimals = finest(mm);
+    let read = at_decimals(mm, decimals);
+    let (amount, written) = limited(read * factor, more);
+    (with_unit(&Rich::upright(fixed(read, decimals)), "mm"), amount, written)
+}
+
+/// The same as the other of the two numbers of four figures between which the result lies; none where no reading gives it.
+pub fn reading_beside(mm: f64, factor: f64, result: f64, more: usize) -> Option<(Rich, Rich, f64)> {
+    let more = read_figures(result, more);
+    let other = other_neighbour(limited(result, more).1, result, usual_figures(result) + more);
+    let (wanted, written) = limited(other, more);
+    Some((reading_as(mm, factor, written, more)?, wanted, written))
+}
+
+/// Of the two numbers of so many figures between which a value lies the one that is not its rounding.
+pub fn other_neighbour(written: f64, value: f64, digits: usize) -> f64 {
+    let place = unit_in_the_last(value, digits);
+    if written > value { written - place } else { written + place }
+}
+
+/// How many figures a reading has for this result with so many more than usual.
+pub fn figures_of_reading(result: f64, more: usize) -> usize {
+    usual_figures(result) + read_figures(result, more)
+}
+
+/// Nobody reads five figures.
+fn read_figures(result: f64, more: usize) -> usize {
+    more.min(READ_FIGURES.saturating_sub(usual_figures(result)))
+}
+
+/// With how many decimals a length on paper is read at most, mm.
+fn finest(mm: f64) -> usize {
+    match mm {
         mm if mm < 0.1 * DECIMETRE => 3,
         mm if mm < DECIMETRE => 2,
         _ => 1,
-    };
-    // A fifth figure is a guard, for what follows from the reading: nobody reads more.
-    let more = more.min(MOST_FIGURES.saturating_sub(usual_figures(result)));
-    let to = |decimals: usize| -> f64 { format!("{mm:.decimals$}").parse().unwrap_or(mm) };
+    }
+}
+
+fn at_decimals(mm: f64, decimals: usize) -> f64 {
+    format!("{mm:.decimals$}").parse().unwrap_or(mm)
+}
+
+/// The reading of a length that gives this number by the scale, if one does.
+fn reading_as(mm: f64, factor: f64, written: f64, more: usize) -> Option<Rich> {
+    let finest = finest(mm);
+    let to = |decimals: usize| at_decimals(mm, decimals);
     let beside = |decimals: usize| {
         let place = libm::exp10(-(decimals as f64));
         if to(decimals) > mm { to(decimals) - place } else { to(decimals) + place }
     };
-    let (wanted, written) = limited(result, more);
-    let shown = |read: f64, decimals: usize| with_unit(&Rich::upright(fixed(read, decimals)), "mm");
     let near = (1..=finest).flat_map(|decimals| {
         let other = (decimals > 1).then(|| beside(decimals));
         [to(decimals)].into_iter().chain(other).map(move |read| (read, decimals))
     });
     // A guard figure, where nothing else gives the result.
     let near = near.chain((finest < 3).then(|| (to(finest + 1), finest + 1)));
-    let mut closing = near.filter(|(read, _)| agrees(read * factor, written, result, more));
-    if let Some((read, decimals)) = closing.next() {
-        return (shown(read, decimals), wanted, written);
-    }
-    // No ruler reads finer: the result is that of what was read, with the guard where more figures are asked for.
-    let decimals = if more > 0 { (finest + 1).min(3) } else { finest };
-    let (amount, written) = limited(to(decimals) * factor, more);
-    (shown(to(decimals), decimals), amount, written)
+    let mut closing = near.filter(|(read, _)| agrees(read * factor, written, written, more));
+    let (read, decimals) = closing.next()?;
+    Some(with_unit(&Rich::upright(fixed(read, decimals)), "mm"))
 }
 
 /// Readings on paper as finely as what is reckoned from them needs, to the hundredth of a millimetre at most.

@@ -1,6 +1,6 @@
 //! How each number is printed on a sheet, and what its lines need to close from their own printed numbers.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use super::human;
@@ -76,6 +76,12 @@ pub struct Figures {
     finer: HashMap<Key, usize>,
     /// What lines would have needed so many for.
     wanted: HashMap<Key, usize>,
+    /// What was read or measured.
+    read: HashSet<Key>,
+    /// Readings that are told as the other of the two numbers of four figures between which they lie, because a line would
+    /// not give the third figure of its result by the nearer one; and those that lines would have needed so.
+    beside: HashSet<Key>,
+    wanted_beside: HashSet<Key>,
     /// What was read off polygons, mm.
     readings: Vec<(DiagramKind, f64, Key)>,
     /// The same two of constructions on the skeleton, each by its number on the sheet.
@@ -127,8 +133,12 @@ impl Figures {
             }
             all
         }
-        let finer = with(&self.finer, &self.wanted);
-        Self { finer, finer_apart: with(&self.finer_apart, &self.wanted_apart), ..Self::default() }
+        Self {
+            finer: with(&self.finer, &self.wanted),
+            finer_apart: with(&self.finer_apart, &self.wanted_apart),
+            beside: self.beside.union(&self.wanted_beside).copied().collect(),
+            ..Self::default()
+        }
     }
 
     /// How the rates of the inputs are printed, and nothing else: what a construction of its own begins with.
@@ -161,7 +171,9 @@ impl Figures {
     pub(super) fn suffice(&self) -> bool {
         let apart =
             |(key, more): (&(Apart, Key), &usize)| self.finer_apart.get(key).is_some_and(|own| own >= more);
-        self.wanted.iter().all(|(key, more)| self.more(*key) >= *more) && self.wanted_apart.iter().all(apart)
+        self.wanted.iter().all(|(key, more)| self.more(*key) >= *more)
+            && self.wanted_apart.iter().all(apart)
+            && self.wanted_beside.is_subset(&self.beside)
     }
 
     /// How many figures more than usual a number has.
@@ -202,6 +214,48 @@ impl Figures {
         let (text, number) = human::given(si.abs() / unit.si, self.more(key));
         self.note(key, &text, (number, si.abs() / unit.si), unit);
         (text, number)
+    }
+
+    /// The reading of so many millimetres, what it is by the scale, and the number that then stands there.
+    pub(super) fn read_off(
+        &mut self,
+        key: Key,
+        mm: f64,
+        factor: f64,
+        result: f64,
+        more: usize,
+    ) -> (Rich, Rich, f64) {
+        self.read.insert(key);
+        let beside = self.beside.contains(&key).then(|| human::reading_beside(mm, factor, result, more));
+        beside.flatten().unwrap_or_else(|| human::reading_at(mm, factor, result, more))
+    }
+
+    /// Asks for the other neighbour of a reading where four figures of it do not give the third figure of a result and the
+    /// other one does.
+    fn want_beside(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        printed: &[f64],
+        (reckoned, exact): (f64, f64),
+        reckon: impl Fn(&[f64]) -> f64,
+    ) {
+        let third = |value: f64| format!("{value:.2e}");
+        if third(reckoned) == third(exact) {
+            return;
+        }
+        for (index, (key, si, unit)) in factors.iter().enumerate() {
+            let Some(key) = key.filter(|key| self.read.contains(key) && !self.beside.contains(key)) else {
+                continue;
+            };
+            let (own, figures) =
+                (si.abs() / unit.si, human::figures_of_reading(si / unit.si, self.more(key)));
+            let mut others = printed.to_vec();
+            others[index] = human::other_neighbour(printed[index], own, figures);
+            if figures > 3 && third(reckon(&others)) == third(exact) {
+                self.wanted_beside.insert(key);
+                return;
+            }
+        }
     }
 
     /// How many figures more than usual a reading has: lengths that are one on paper are read alike, whatever they are of.
@@ -349,6 +403,7 @@ impl Figures {
                 human::agrees(exact, *number, exact, more)
             });
             let most = if rounded { MOST_MORE } else { 1 };
+            self.want_beside(factors, &printed, (reckoned, exact), &reckon);
             for key in factors.iter().filter_map(|(key, ..)| *key) {
                 let more = (self.more(key) + 1).min(most);
                 let own = self.wanted.entry(key).or_insert(0);

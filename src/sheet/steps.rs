@@ -410,7 +410,7 @@ pub fn read(
     }
     let factor = polygon.si_per_mm / unit.si;
     let more = figures.more_of_reading(key, polygon.kind, mm);
-    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, more);
+    let (reading, amount, written) = figures.read_off(key, mm, factor, value / unit.si, more);
     figures.note(key, &amount, (written, value / unit.si), &unit);
     let reading = reading
         .up("\u{a0}×\u{a0}")
@@ -978,7 +978,8 @@ impl Teller<'_> {
             Act::MeasureLength { from, to, mm, value } => {
                 let (mut figures, key) = (self.figures.borrow_mut(), Key::length([*from, *to]));
                 let (factor, exact) = (per_mm / length_unit.si, value / length_unit.si);
-                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key));
+                let more = figures.more(key);
+                let (mm, value, written) = figures.read_off(key, *mm, factor, exact, more);
                 figures.note(key, &value, (written, exact), length_unit);
                 let value = human::with_unit(&value, &length_unit.symbol);
                 measured_length(n.length(*from, *to), [mm, value], per_mm, n)

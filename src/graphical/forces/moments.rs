@@ -495,16 +495,20 @@ impl Draughtsman<'_> {
     }
 
     /// Notes at the bodies of which forces moments have given a part, and what the parts are.
-    pub(super) fn parts_told(&mut self, taken: &[Taken], moments: &[MomentBalance], bodies: &mut [FreeBody]) {
-        let Some((_, balance)) = self.balances.iter().find(|(share, _)| *share == self.told) else { return };
-        let balance = balance.clone();
+    pub(super) fn parts_told(
+        &mut self,
+        balance: &super::Balance,
+        taken: &[Taken],
+        moments: &[MomentBalance],
+        bodies: &mut [FreeBody],
+    ) {
         for taken in taken {
             let TakenFor::Across { pin, by, on, from } = taken.found else { continue };
-            let Some(split) = self.split_at_pin(taken, (pin, [by, on], from), &balance) else { continue };
+            let Some(split) = self.split_at_pin(taken, (pin, [by, on], from), balance) else { continue };
             if !moments.iter().any(|moments| moments.found.of == Turning::Across(split.action)) {
                 continue;
             }
-            let touches = [pin, from].iter().any(|pin| Self::rubs_at(&balance, *pin));
+            let touches = [pin, from].iter().any(|pin| Self::rubs_at(balance, *pin));
             let [across, along] = split.parts.map(|part| self.components_of(part).map(|part| part.value()));
             let all = bodies.iter_mut().flat_map(|body| &mut body.acting);
             let open = all.filter(|acting| acting.known != Knowledge::Full);

@@ -42,7 +42,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
 
 /// The free bodies of one part of what acts.
 fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceSheet> {
-    let (_, balance) = d.balances.iter().find(|(of, _)| *of == share)?;
+    let balance = d.balances.iter().find(|(of, _)| *of == share).map(|(_, balance)| balance.clone())?;
     let three = balance.meets.clone();
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
     let (as_one, members) = (balance.as_one.clone(), balance.members.clone());
@@ -147,7 +147,7 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
     };
     let trial = trial.filter(|_| !moments.iter().any(by_moments));
     let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
-    d.parts_told(&taken, &moments, &mut bodies);
+    d.parts_told(&balance, &taken, &moments, &mut bodies);
     let members = members.into_iter().filter_map(|member| d.member_told(member, &bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
     let frame = if everything && d.asks_for(Action::OnFrame) { d.on_frame_told() } else { Vec::new() };
