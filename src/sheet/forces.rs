@@ -320,8 +320,8 @@ struct Stroke {
     symbol: Rich,
     quantity: String,
     of: Laid,
-    /// The middle of the triangle of a force and its parts, newtons from the pole: its name stands on the other side.
-    triangle: Option<[f64; 2]>,
+    /// Whether it is a force that is laid off in parts, or one of these.
+    in_parts: bool,
 }
 
 /// What a stroke of a polygon is.
@@ -371,16 +371,16 @@ fn strokes(
     for own in acting {
         let ends = [at, plus(at, own.force)];
         at = ends[1];
-        let whole = |of: Laid, triangle: Option<[f64; 2]>| Stroke {
+        let whole = |of: Laid, in_parts: bool| Stroke {
             ends,
             symbol: symbol(own.action, notation),
             quantity: own.action.name(mechanism),
             of,
-            triangle,
+            in_parts,
         };
         let of = if own.closes { Laid::Found } else { Laid::Known };
         let Some(parts) = laid_off_in_parts(sheet, panel, own) else {
-            all.push(whole(of, None));
+            all.push(whole(of, false));
             open |= own.closes;
             continue;
         };
@@ -391,14 +391,12 @@ fn strokes(
         let (first, second) =
             if open { ((along, of), (across, Laid::Known)) } else { ((across, Laid::Known), (along, of)) };
         let mut from = ends[0];
-        let knee = plus(from, first.0.0);
-        let triangle = Some([0, 1].map(|axis| (ends[0][axis] + knee[axis] + ends[1][axis]) / 3.0));
         for ((force, symbol, quantity), of) in [first, second] {
             let to = plus(from, force);
-            all.push(Stroke { ends: [from, to], symbol, quantity, of, triangle });
+            all.push(Stroke { ends: [from, to], symbol, quantity, of, in_parts: true });
             from = to;
         }
-        all.push(whole(Laid::Sum, triangle));
+        all.push(whole(Laid::Sum, true));
         open |= own.closes;
     }
     all
@@ -1504,13 +1502,8 @@ fn polygon(
         group.group(own);
         let text = stroke.symbol.clone();
         let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
-        if let Some(middle) = stroke.triangle.map(place_of) {
-            let (at, along) = (from.midpoint(to), to - from);
-            let square = Vec2::new(-along.y, along.x);
-            let away = if square.dot(at - middle) < 0.0 { -square } else { square };
-            let toward = Some(libm::atan2(-away.y, away.x));
-            request.sites.insert(0, Site::Around { at, radius: 0.6, toward });
-        }
+        // Of parts and a sum that lie next to each other each keeps its name, on a leader if need be.
+        request.strict = stroke.in_parts;
         if from.distance(to) < CROWDED {
             let at = from.midpoint(to);
             request = Request { sites: vec![Site::Around { at, radius: 1.2, toward: None }], ..request };

@@ -1324,7 +1324,7 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         match methods.as_slice() {
             [] => symbol,
             methods => {
-                let methods = Rich::upright(&methods.join(words.comma));
+                let methods = Rich::upright(methods.join(words.comma));
                 let by = Rich::fill(words.by_method, &[("methods", methods)]);
                 symbol.up("\u{a0}(").then(&by).up(")")
             }

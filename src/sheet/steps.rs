@@ -711,12 +711,12 @@ impl Teller<'_> {
     fn read_of_trials(&self, driver: TrialDriver, order: Order) -> Option<Rich> {
         let n = self.notation;
         let point = self.step.acts.iter().find_map(|act| match act {
-            Act::TryPolygon { driver: own, closing, order: of, .. } if (*own, *of) == (driver, order) => {
-                match closing {
-                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. } => Some(*point),
-                    _ => None,
-                }
-            }
+            Act::TryPolygon {
+                driver: own,
+                closing: Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. },
+                order: of,
+                ..
+            } if (*own, *of) == (driver, order) => Some(*point),
             _ => None,
         })?;
         let images = &self.construction.diagram(order.diagram())?.images;
