@@ -900,7 +900,10 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             ([], &[(_, input)], [], &[held]) if held == roll && lies_on(&mechanism.rolls[roll], link) => {
                 driven_rack(mechanism, link, points, (roll, input))
             }
-            ([], &[(_, input)], guides, contacts) if guides.len() + contacts.len() == 1 => {
+            // What another contact holds is not told by the pair it rolls in alone: how hard it presses stands at that one.
+            ([], &[(_, input)], guides, contacts)
+                if guides.len() + contacts.len() == 1 && contacts.iter().all(|held| *held == roll) =>
+            {
                 driven_wheel(mechanism, link, points, (roll, guides.first().copied(), input))
             }
             _ => GroupKind::Other,
