@@ -801,7 +801,11 @@ impl Turning {
                 Ok(quotient(self.fluctuation_of_energy()?, work))
             }
             CycleQuantity::OfSpeed => {
-                if let Some(wanted) = self.fluctuation {
+                let heavy = |wanted| {
+                    let needed = self.needed(wanted).ok();
+                    self.inertia.zip(needed).is_some_and(|(there, needed)| there > needed.value)
+                };
+                if let Some(wanted) = self.fluctuation.filter(|wanted| !heavy(*wanted)) {
                     return Ok(Known { value: wanted, bound: 4.0 * U * wanted });
                 }
                 let by = self.all_that_turns()?.times(self.square()?);

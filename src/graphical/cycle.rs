@@ -1296,6 +1296,12 @@ impl Desk<'_> {
         Ok(self.board.quotient(fluctuation, by, REASON))
     }
 
+    /// Whether what turns is heavier than the wanted fluctuation needs: no flywheel is added, and the speed changes less.
+    fn turns_heavily_enough(&mut self, drawn: &Diagram, (wanted, g): (Given, Given)) -> bool {
+        let Some(there) = self.rotating(g) else { return false };
+        self.needed(drawn, wanted).is_ok_and(|needed| there.value() > needed.value())
+    }
+
     /// All that turns, with the flywheel where one is sought.
     fn turning(&mut self, drawn: &Diagram, g: Given) -> Result<Amount, String> {
         let rotating = self.rotating(g);
@@ -1354,7 +1360,9 @@ impl Desk<'_> {
                 with_area(part, (2.0 + part.value()) / work.value())
             }
             CycleQuantity::OfSpeed => {
-                if let Some(wanted) = self.cycle.fluctuation {
+                if let Some(wanted) = self.cycle.fluctuation
+                    && !self.turns_heavily_enough(drawn, (wanted, g))
+                {
                     return plain(self.board.amount(wanted));
                 }
                 let turning = self.turning(drawn, g)?;
