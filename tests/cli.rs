@@ -166,6 +166,24 @@ fn every_quantity_has_the_fields_of_the_format() {
     }
 }
 
+/// 400 N at 100 N per cm are 40 mm; where no scale is stated a force is a side of several polygons, and has no one length.
+#[test]
+fn a_force_has_a_length_at_the_stated_scale() {
+    let scene = |sheet: &str| {
+        format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }} }}, "input": {{ "link": 2, "angle": 30 }},
+            "loads": [ {{ "name": "P", "on": 2, "at": "A", "force": "400 N", "direction": -90 }} ],
+            {sheet} "find": ["F(1,2)"] }}"#
+        )
+    };
+    let (_, solved) = solve_json(&scene(r#""sheet": { "scales": { "force": "100 N per cm" } },"#));
+    let drawn = solved["quantities"][0]["drawn_mm"].as_f64().unwrap();
+    assert!((drawn - 40.0).abs() < 1e-12, "{drawn}");
+    let (_, solved) = solve_json(&scene(""));
+    assert!(solved["quantities"][0].get("drawn_mm").is_none());
+}
+
 #[test]
 fn names_come_back_in_order_and_in_their_units() {
     let mut scene = six();

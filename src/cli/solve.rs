@@ -361,8 +361,13 @@ fn friction(rub: &Rub, scene: &Scene, passes: usize) -> Value {
 }
 
 /// How long a vector is on paper: at the scale that the scene states for its diagram, otherwise on the drawing board, whose
-/// scales are powers of two.
+/// scales are powers of two. A force is a side of a polygon only at a stated scale: the board has the same force in several.
 fn drawn_mm(compared: &Compared, sheet: &SheetOptions) -> Option<f64> {
+    if let (Measure::Force, Answer::Vector { value, .. }) =
+        (compared.asked.quantity.measure(), &compared.graphical.answer)
+    {
+        return sheet.force_scale.map(|scale| libm::hypot(value[0], value[1]) / scale);
+    }
     let drawn = compared.graphical.drawn_mm?;
     let stated = match compared.asked.quantity.measure() {
         Measure::Velocity => sheet.velocity_scale,
