@@ -267,6 +267,13 @@ impl ForceName<'_, '_, '_> {
                 let (force, about) = inside
                     .rsplit_once(',')
                     .ok_or_else(|| self.fault("the point is missing").mend(format!("write {head}(FS,O2)")))?;
+                if let Some((of, part)) = force.trim().rsplit_once('.')
+                    && matches!(part, "static" | "inertia")
+                {
+                    return Err(self
+                        .fault("the part stands after the whole name")
+                        .mend(format!("write {head}({of},{}).{part}", about.trim())));
+                }
                 let about = self.point(about)?;
                 let Force::Vector(action) = self.action_or_scalar(force.trim())? else {
                     return Err(self.fault("only a force has a line, a torque has none"));
