@@ -2,7 +2,7 @@
 
 use crate::graphical::construction::{Construction, Stiffness};
 use crate::graphical::{DrawError, Missing, Parting, Unplaced};
-use crate::mechanism::force::{Heaviness, SpringKind};
+use crate::mechanism::force::{Heaviness, Sought, SpringKind};
 use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
@@ -19,8 +19,13 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         SolveError::Structure(error) => structure(&scene.mechanism, error),
         SolveError::Draw(error) => draw(scene, error),
         SolveError::Position(error) => position(scene, error),
-        SolveError::Unanswered { .. } => {
-            (Subject::Asked(0), error.to_string(), "ask for something else beside it".to_owned())
+        SolveError::Unanswered { why, .. } => {
+            let mend = match idle(&scene.mechanism, why) {
+                Some(Sought::Spin) => "give a link that swings out a mass off the axis (`masses`)",
+                Some(_) => "turn the input a little, or seek what has an arm",
+                None => "ask for something else beside it",
+            };
+            (Subject::Asked(0), error.to_string(), mend.to_owned())
         }
         SolveError::Stuck { how: Stuck::Locked, .. } => (
             Subject::Scene,
@@ -55,6 +60,12 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         ),
     };
     scene.source.complain(subject, what, Some(mend))
+}
+
+/// What is sought and does no work here, where that is the reason.
+fn idle(mechanism: &Mechanism, why: &Indeterminate) -> Option<Sought> {
+    let Indeterminate::Undefined { why } = why else { return None };
+    mechanism.named_sought().into_iter().find(|sought| mechanism.say_idle(*sought) == *why)
 }
 
 /// The spring of a stiffness that was sought, the unit in which that is told, and this unit in SI.
@@ -308,6 +319,7 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 | Missing::Turning(link) => Subject::Link(link),
                 Missing::Input(input) => Subject::Input(input),
                 Missing::Sought
+                | Missing::Work(_)
                 | Missing::Aim(_)
                 | Missing::Sense(_)
                 | Missing::Side(_)

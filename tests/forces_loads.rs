@@ -587,3 +587,239 @@ fn a_load_in_the_direction_of_a_block_needs_no_point_beside_its_pin() {
     let power = 30.0 * (-0.1 * sin * slot[0] + 0.1 * cos * slot[1]) / libm::hypot(slot[0], slot[1]);
     near(answers(&scene)["T(2)"][0], -power);
 }
+
+/// A rack on a pinion that nothing holds but this rack, driven along its guide, and one at rest: a wheel of 50 mm about C.
+fn between_racks(more: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }},
+        "placed": {{ "C": [0, 50], "R": [0, 100], "E": [10, 60] }}, "fixed": {{ "Z": [0, 0] }},
+        "links": {{ "2": {{ "joins": ["R"] }}, "3": {{ "joins": ["C", "E"] }} }},
+        "rolls": [
+            {{ "links": [1, 3], "line": {{ "link": 1, "through": "Z" }}, "centre": "C", "teeth": 25, "module": 4 }},
+            {{ "links": [2, 3], "line": {{ "link": 2, "through": "R" }}, "centre": "C", "teeth": 25, "module": 4 }} ],
+        "slides": [ {{ "link": 2, "on": {{ "link": 1, "through": [0, 100] }} }} ],
+        "loads": [ {{ "name": "P", "on": 3, "at": "C", "force": -100, "direction": 0 }} ],
+        "find": ["drive(2)", "F(2,3)", "F(1,3)", "F(1,2)"], {more} }}"#
+    ))
+}
+
+/// Moments about C and the balance along the racks give both forces along the pitch lines, the angle of pressure what pushes
+/// apart: the pinion rests on the rack that is fixed.
+#[test]
+fn a_pinion_between_two_racks_is_pushed_by_both() {
+    let tangent = libm::tan(20.0_f64.to_radians());
+    let found = answers(&between_racks(r#""input": { "slide": 2, "velocity": "0.5 m/s" }"#));
+    near(found["drive(2)"][0], 50.0);
+    for (name, wanted) in [
+        ("F(2,3)", [50.0, -50.0 * tangent]),
+        ("F(1,3)", [50.0, 50.0 * tangent]),
+        ("F(1,2)", [0.0, -50.0 * tangent]),
+    ] {
+        near(found[name][0], wanted[0]);
+        near(found[name][1], wanted[1]);
+    }
+    // The rack has 3 m/s², the centre half of it, and the wheel turns at 3 / 0.1 rad/s² cw.
+    let found = answers(&between_racks(
+        r#""input": { "slide": 2, "velocity": "0.5 m/s", "acceleration": "3 m/s^2" }, "gravity": {},
+        "masses": { "3": { "mass": 6, "inertia": 0.008, "at": "C" }, "2": { "mass": 4 } }"#,
+    ));
+    let (sum, difference) = (100.0 + 6.0 * 1.5, 0.008 * 30.0 / 0.05);
+    let (driven, fixed) = ((sum + difference) / 2.0, (sum - difference) / 2.0);
+    near(found["drive(2)"][0], driven + 4.0 * 3.0);
+    near(found["F(2,3)"][0], driven);
+    near(found["F(2,3)"][1], -driven * tangent);
+    near(found["F(1,3)"][0], fixed);
+    near(found["F(1,3)"][1], 6.0 * 9.81 + driven * tangent);
+}
+
+/// A planet of 30 mm that nothing holds but a sun of 30 mm and a ring of 90 mm that is fixed.
+fn planet_alone(rolls: [&str; 2], force: [f64; 2]) -> BTreeMap<String, Vec<f64>> {
+    let [sun, ring] = rolls;
+    let [x, y] = force;
+    answers(&read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O": [0, 0] }},
+        "placed": {{ "B": [0, 20], "A": [60, 0], "E": [70, 0] }},
+        "links": {{ "2": {{ "joins": ["O", "B"] }}, "3": {{ "joins": ["A", "E"] }} }},
+        "rolls": [ {{ "links": [2, 3], "centres": ["O", "A"], {sun} }},
+                   {{ "links": [1, 3], "centres": ["O", "A"], "internal": true, {ring} }} ],
+        "input": {{ "link": 2, "omega": "10 rad/s ccw" }},
+        "loads": [ {{ "name": "P", "on": 3, "at": "A", "force": [{x}, {y}] }} ],
+        "find": ["T(2)", "F(2,3)", "F(1,3)"] }}"#
+    )))
+}
+
+/// Half of what acts across the line of centres goes to each of sun and ring. What acts along it the sun carries, whose contact
+/// the wheel keeps, and what teeth of the ring push inwards.
+#[test]
+fn a_planet_without_an_arm_rests_on_its_sun() {
+    let found = planet_alone([r#""radii": [30, 30]"#, r#""radii": [90, 30]"#], [-50.0, -100.0]);
+    near(found["T(2)"][0], 1.5);
+    for (name, wanted) in [("F(2,3)", [50.0, 50.0]), ("F(1,3)", [0.0, 50.0])] {
+        near(found[name][0], wanted[0]);
+        near(found[name][1], wanted[1]);
+    }
+    let found = planet_alone(
+        [r#""teeth": [20, 20], "module": 3"#, r#""teeth": [60, 20], "module": 3"#],
+        [0.0, -100.0],
+    );
+    let apart = 50.0 * libm::tan(20.0_f64.to_radians());
+    for (name, wanted) in [("F(2,3)", [apart, 50.0]), ("F(1,3)", [-apart, 50.0])] {
+        near(found[name][0], wanted[0]);
+        near(found[name][1], wanted[1]);
+    }
+}
+
+/// A four-bar of 40, 140 and 90 mm on pins 150 mm apart, with a torsion spring of 5 N m/rad between two of its links.
+fn with_torsion(degrees: f64, links: [u32; 2], free: f64) -> Scene {
+    let [first, second] = links;
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [150, 0] }},
+        "links": {{ "2": {{ "joins": ["O2", "A"], "length": 40 }}, "3": {{ "joins": ["A", "B"], "length": 140 }},
+                   "4": {{ "joins": ["O4", "B"], "length": 90 }} }},
+        "near": {{ "B": [140, 90] }}, "input": {{ "link": 2, "angle": {degrees}, "omega": 1 }},
+        "springs": [ {{ "name": "K", "links": [{first}, {second}], "stiffness": 5, "free": {free} }} ],
+        "find": ["spring(K)", "T(2)"] }}"#
+    ))
+}
+
+/// The angle of the rocker of that four-bar, by the law of cosines.
+fn angle_of_rocker(theta: f64) -> f64 {
+    let (sin, cos) = libm::sincos(theta);
+    let (x, y) = (0.04 * cos - 0.15, 0.04 * sin);
+    let away = libm::hypot(x, y);
+    let inner = libm::acos((0.09 * 0.09 + away * away - 0.14 * 0.14) / (2.0 * 0.09 * away));
+    libm::atan2(y, x).rem_euclid(TAU) - inner
+}
+
+fn within_half_a_turn(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// From the scene's own place on, where it is within half a turn of its free angle, a spring is wound up by what its links turn:
+/// k (φ − φ₀) with an angle that goes on, over the whole turn of the crank.
+#[test]
+fn a_torsion_spring_is_wound_up_over_the_turn() {
+    for (degrees, links, free) in
+        [(20.0, [1, 2], 80.0), (100.0, [1, 2], 80.0), (300.0, [1, 2], 80.0), (400.0, [1, 2], 80.0)]
+            .into_iter()
+            .chain([(100.0, [2, 4], -10.0), (250.0, [2, 4], -10.0), (30.0, [4, 2], 200.0)])
+    {
+        let scene = with_torsion(degrees, links, free);
+        let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+        check::confirm_sweep(&sweep).unwrap_or_else(|why| panic!("{degrees} {links:?}: {why:?}"));
+        let column = sweep.columns.iter().position(|c| c.asked.name == "spring(K)").unwrap();
+        let angle = |link: u32, theta: f64| match link {
+            1 => 0.0,
+            2 => theta,
+            _ => angle_of_rocker(theta),
+        };
+        let turned = |theta: f64| angle(links[1], theta) - angle(links[0], theta);
+        let scene_at = (degrees % 360.0).to_radians();
+        let at_scene = within_half_a_turn(turned(scene_at) - f64::to_radians(free));
+        let places: Vec<f64> = (0..72).map(|step| f64::from(5 * step).to_radians()).collect();
+        let torque = |theta: f64| -5.0 * (at_scene + turned(theta) - turned(scene_at));
+        for &theta in &places {
+            let found = sweep.at(theta).unwrap()[column].unwrap().value;
+            assert!((found - torque(theta)).abs() < 1e-9, "{degrees} {links:?} at {theta}: {found}");
+        }
+        // The table with bounds has the same numbers.
+        sweep.with_bounds().unwrap().run(&places, |theta, values, bounds| {
+            let off = (values[column] - torque(theta)).abs();
+            assert!(
+                off <= bounds[column] + 1e-12,
+                "{degrees} {links:?} at {theta}: {off} {}",
+                bounds[column]
+            );
+            assert!(bounds[column] < 1e-9, "{degrees} {links:?} at {theta}: {}", bounds[column]);
+        });
+    }
+}
+
+/// A force along the crank has no moment about its pivot, wherever the crank stands: no size of it balances anything.
+#[test]
+fn a_sought_force_without_an_arm_leaves_no_balance_of_powers() {
+    for degrees in [0.0, 40.0] {
+        let scene = crank(
+            &format!("\"angle\": {degrees}, \"alpha\": 500,"),
+            r#""masses": { "3": { "mass": 2, "at": [80, 0], "inertia": 0.015 }, "4": { "mass": 1.5 } },
+            "loads": [ { "name": "Q", "on": 2, "at": "A", "force": "?",
+                         "direction": { "from": "O2", "to": "A" } } ], "find": ["load(Q)", "F(1,4)"]"#,
+        );
+        let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+        let agreement = check::agreement(&scene, &solved, &solve_analytically(&scene));
+        assert!(agreement.ok(), "{degrees}: {:?} {:?}", agreement.disagreements(), agreement.power);
+        assert!(agreement.power.is_none(), "{degrees}: {:?}", agreement.power);
+        let readings = &solved.solution.construction.answers;
+        let Answer::Indeterminate(why) = &readings[0].answer else { panic!("{:?}", readings[0].answer) };
+        let why = why.to_string();
+        assert!(why.contains("no arm") && !why.contains("dead centre"), "{why}");
+        assert!(matches!(readings[1].answer, Answer::Vector { .. }));
+    }
+}
+
+/// A pair of scissors of 2 m arms whose foot B is driven to the pivot O: its arm about O vanishes there, and forces grow
+/// without end. No number stands where that arm is rounding.
+#[test]
+fn a_sweep_has_no_force_where_an_arm_is_rounding() {
+    let scene = read(
+        r#"{ "units": { "length": "m" }, "fixed": { "O": [0, 0] },
+        "links": { "3": { "joins": ["B", "A", "P"], "line": [0, 1, 2] }, "4": { "joins": ["O", "A"], "length": 1 } },
+        "slides": [ { "pin": "B", "block": 2, "on": { "link": 1, "through": "O", "angle": 0 } } ],
+        "near": { "A": [0.7, 0.7], "B": [1.4, 0], "P": [0, 1.4] },
+        "input": { "slide": "B", "at": 1.3, "velocity": "-0.2 m/s" },
+        "gravity": {}, "masses": { "3": { "mass": 40, "at": "A" } },
+        "loads": [ { "name": "W", "on": 3, "at": "P", "force": "1.5 kN", "direction": -90 } ],
+        "find": ["F(1,2)", "F(3,4)"] }"#,
+    );
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    let mut rows = 0;
+    sweep.each_position(&sweep.equal_steps(36), |at, values| {
+        for value in values.iter().flatten() {
+            // 1.9 kN on arms of 2 m at most.
+            assert!(value.abs() < 1e5, "at {at}: {value} N");
+        }
+        rows += 1;
+        let open = values.iter().all(Option::is_some);
+        assert_eq!(open, at > 1e-9 && at < 2.0 - 1e-9, "at {at}: {values:?}");
+    });
+    assert!(rows > 30, "{rows}");
+}
+
+#[test]
+fn a_stiffness_below_zero_is_refused() {
+    for stiffness in ["-4", "0"] {
+        let text = format!(
+            r#"{{ "fixed": {{ "O2": [0, 0] }}, "links": {{ "2": {{ "joins": ["O2", "A"], "length": 1 }} }},
+            "input": {{ "link": 2, "angle": 30 }},
+            "springs": [ {{ "between": [ {{ "link": 1, "at": [2, 0] }}, {{ "link": 2, "at": "A" }} ],
+                           "stiffness": {stiffness}, "free": 1 }} ] }}"#
+        );
+        let why = refusal(&text);
+        assert!(why.contains("a stiffness must be greater than zero"), "{why}");
+    }
+}
+
+/// 100 + 50 sin θ N m: the level is 50 (1 − cos θ), and changes by 100 J. 0.8 kg m² at 100 rad/s keep the speed to 1.25 %, where
+/// 10 % are allowed.
+#[test]
+fn what_turns_heavily_enough_has_its_own_fluctuation() {
+    let scene = read(
+        r#"{ "links": {}, "input": { "omega": "100 rad/s" },
+        "cycle": { "torque": { "harmonics": { "constant": 100, "sin": [[1, 50]] } },
+                   "rotating": [ { "inertia": 0.8 } ], "fluctuation": 0.1 }, "find": ["Ef", "Ks"] }"#,
+    );
+    let found = answers(&scene);
+    near(found["Ef"][0], 100.0);
+    near(found["Ks"][0], 100.0 / (0.8 * 1e4));
+}
+
+#[test]
+fn the_part_of_a_force_stands_after_the_whole_name() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 220 } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } } ],
+        "near": { "B": [240, 0] }, "input": { "link": 2, "angle": 30 }, "masses": { "4": { "mass": 1 } },
+        "find": ["arm(F(3,4).static,O2)"] }"#;
+    let why = refusal(text);
+    assert!(why.contains("write arm(F(3,4),O2).static") && !why.contains("parenthesis"), "{why}");
+}

@@ -62,9 +62,13 @@ struct Part {
 
 impl State {
     /// The powers of everything that acts, from the motion and the loads; `None` where no forces were solved or they are
-    /// not determined here.
+    /// not determined here: what is sought and not found leaves nothing to add up.
     #[must_use]
     pub fn power(&self) -> Option<Power> {
+        let sought = self.burden.as_ref()?.sought.len();
+        for index in 0..sought {
+            self.act(Share::Total, |s| [s.effort(index)]).ok()?;
+        }
         let p = self.act(Share::Total, |s| s.powers()).ok()?;
         let unit = self.force_unit() * self.model.length / self.model.time;
         let [effort, loads, weights, springs, inertia, friction, residual] = p.map(|m| m.value * unit);

@@ -173,6 +173,8 @@ enum Toward {
 pub(super) struct BodySpring {
     between: Between,
     law: BodyLaw,
+    /// Within half a turn of which angle a torsion spring is turned.
+    wound: f64,
     /// It has no direction here.
     pub(super) unaimed: bool,
 }
@@ -523,7 +525,7 @@ impl<'t> Acting<'t> {
         let more = now - self.real.num(free).v;
         match spring.between {
             Between::Places(_) => more,
-            Between::Bodies(_) => more.wrapped(),
+            Between::Bodies(_) => more.wrapped_about(spring.wound),
         }
     }
 
@@ -897,7 +899,7 @@ impl Burden {
                 }
                 SpringKind::Torsion(links) => (Between::Bodies(links.map(|link| link.0)), torque, 1.0),
             };
-            let index = place(Sought::Spring(index));
+            let (index, wound) = (place(Sought::Spring(index)), spring.wound);
             let law = match spring.law {
                 SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } => {
                     let stiffness = model.given(stiffness, force / length);
@@ -909,7 +911,7 @@ impl Burden {
                 SpringLaw::Force(Size::Given(pull)) => BodyLaw::Force(model.given(pull, force)),
                 SpringLaw::Force(_) => BodyLaw::ForceSought(index),
             };
-            burden.springs.push(BodySpring { between, law, unaimed: false });
+            burden.springs.push(BodySpring { between, law, wound, unaimed: false });
         }
         if let Some(spin) = &forces.spin {
             let drag = match spin.drag {

@@ -241,7 +241,12 @@ impl<'t> Var<'t> {
 
     /// The same angle in (−π, π].
     pub(super) fn wrapped(self) -> Self {
-        let turns = (self.value / std::f64::consts::TAU).round();
+        self.wrapped_about(0.0)
+    }
+
+    /// The same angle within half a turn of another one, radians.
+    pub(super) fn wrapped_about(self, near: f64) -> Self {
+        let turns = ((self.value - near) / std::f64::consts::TAU).round();
         let shift = turns * std::f64::consts::TAU;
         if shift == 0.0 { self } else { self - self.tape.rounded(shift, 2.0 * U * shift.abs()) }
     }

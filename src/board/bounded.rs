@@ -12,7 +12,7 @@
 
 use super::bounds::{ROUNDED, WEAK_DIVISOR};
 use super::op::{Beyond, OF_PARTIALS, Op};
-use super::program::{FoundByTrial, Node, Transcript, signed};
+use super::program::{FoundByTrial, Node, Transcript, U, angle_near, signed};
 
 /// Positions that are bounded together: fewer than are computed, for four numbers stand for each.
 pub const FEW: usize = 8;
@@ -41,6 +41,8 @@ struct Target {
 #[derive(Debug, Clone)]
 pub struct BoundedProgram {
     steps: Vec<Step>,
+    /// How many signs of half chords stand before the half turns.
+    chord_slots: usize,
     /// Row, value, error.
     constants: Vec<(u32, f64, f64)>,
     rows: u32,
@@ -96,6 +98,7 @@ impl BoundedProgram {
         }
         let mut program = Self {
             steps: Vec::new(),
+            chord_slots: transcript.chords.len(),
             constants: Vec::new(),
             rows: 1,
             made_by: vec![None],
@@ -157,6 +160,10 @@ impl BoundedProgram {
         if op == Op::HalfChord {
             from[1] = transcript.chord_of(of[1]);
         }
+        if op == Op::Turned {
+            // Where its half turns stand among the signs.
+            from[2] = u32::try_from(self.chord_slots).unwrap_or(u32::MAX).saturating_add(of[2]);
+        }
         let index = u32::try_from(self.steps.len()).unwrap_or(u32::MAX);
         let to = self.row(Some(index));
         let second = match op {
@@ -187,6 +194,12 @@ impl BoundedProgram {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()
+    }
+
+    /// How many signs of half chords stand before the half turns.
+    #[must_use]
+    pub fn chord_slots(&self) -> usize {
+        self.chord_slots
     }
 
     /// Room for blocks of positions, with the constants in place.
@@ -468,6 +481,7 @@ fn operate(op: Op, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool
     let count = op.operands();
     let of = step.from.map(|row| row as usize);
     let sign = if op == Op::HalfChord { signs.get(of[1]).copied().unwrap_or(1.0) } else { 1.0 };
+    let half_turns = if op == Op::Turned { signs.get(of[2]).copied().unwrap_or(0.0) } else { 0.0 };
     let (mut numbers, mut errors_of) = ([[0.0; FEW]; 4], [[0.0; FEW]; 4]);
     for k in 0..count {
         (numbers[k], errors_of[k]) = (values[of[k]], running[of[k]]);
@@ -477,10 +491,12 @@ fn operate(op: Op, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool
     for i in 0..FEW {
         let at = [numbers[0][i], numbers[1][i], numbers[2][i], numbers[3][i]];
         let errors = [errors_of[0][i], errors_of[1][i], errors_of[2][i], errors_of[3][i]];
-        out[i] = signed(op, at, sign);
+        out[i] = if half_turns == 0.0 { signed(op, at, sign) } else { angle_near(half_turns, at[0], at[1]) };
         let slopes = op.partials(at, out[i]);
         let judged = judged(op, count, at, out[i], &slopes, &errors);
-        (own[i], error[i]) = (judged.own, judged.running);
+        // Half turns are rounded themselves before they are added.
+        let of_half_turns = 2.0 * U * std::f64::consts::PI * half_turns.abs();
+        (own[i], error[i]) = (judged.own + of_half_turns, judged.running + of_half_turns);
         matters |= judged.matters;
         inverse[i] = match op {
             _ if !judged.has_tangent => 0.0,

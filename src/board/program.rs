@@ -101,6 +101,7 @@ pub struct Transcript {
     pub(super) divisors: Vec<(u32, Reason)>,
     /// The angles that go on.
     turns: Vec<u32>,
+    turn_calls: Vec<Option<u32>>,
     pub(super) trials: Vec<Trial>,
     /// Of each chord the one on whose sign it hangs: itself, but in a search by trial.
     again: Vec<usize>,
@@ -113,6 +114,12 @@ impl Transcript {
     #[must_use]
     pub fn chord_calls(&self) -> &[Option<u32>] {
         &self.chord_calls
+    }
+
+    /// Which of the angles that go on every one of the drawing is, in the order of drawing; `None` for a constant.
+    #[must_use]
+    pub fn turn_calls(&self) -> &[Option<u32>] {
+        &self.turn_calls
     }
 
     /// How an input moves, where time is varied.
@@ -709,6 +716,7 @@ impl Transcript {
         match op {
             Op::Turned => {
                 if of[..2].iter().all(|&slot| self.known(slot).is_some()) {
+                    self.turn_calls.push(None);
                     return self.fold(Op::Angle, of);
                 }
                 let before = self.turns.iter().copied().find(|&slot| {
@@ -716,9 +724,12 @@ impl Transcript {
                              Some(Node::Made(Op::Turned, before)) if before[..2] == of[..2])
                 });
                 if let Some(slot) = before {
+                    let index = self.turns.iter().position(|turn| *turn == slot);
+                    self.turn_calls.push(index.and_then(|index| u32::try_from(index).ok()));
                     return slot;
                 }
                 of[2] = u32::try_from(self.turns.len()).unwrap_or(u32::MAX);
+                self.turn_calls.push(Some(of[2]));
                 let slot = self.make(Op::Turned, of);
                 self.turns.push(slot);
                 return slot;
@@ -743,7 +754,7 @@ impl Transcript {
 }
 
 /// The angle of the vector (x, y) that is within half a turn of so many half turns.
-fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
+pub(super) fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
     let odd = half_turns.rem_euclid(2.0) == 1.0;
     PI * half_turns + if odd { libm::atan2(-y, -x) } else { libm::atan2(y, x) }
 }
@@ -1204,13 +1215,18 @@ impl Program {
     /// Computes one position, with the derivative of every number by the input and its error. The input counts as
     /// uncertain by a unit in its last place, as a number of the scene and its unit do.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Workspace) {
+        self.look_within(input, 2.0 * U * input.abs(), signs, place);
+    }
+
+    /// The same where the input is known within an error of its own.
+    pub fn look_within(&self, input: f64, error: f64, signs: &[f64], place: &mut Workspace) {
         place.looks += 1;
         place.found.clear();
         let rows = &mut place.rows;
         rows.clear();
         rows.resize(self.rows as usize, Row::default());
         rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
-        rows[0].round(2.0 * U * input.abs(), lots(LOT_OF_INPUT));
+        rows[0].round(error, lots(LOT_OF_INPUT));
         for &(row, value, error) in &self.constants {
             // A constant has been computed from numbers of the scene.
             let constant = &mut rows[row as usize];

@@ -3,12 +3,16 @@
 //! A sweep is one drawing that is run many times: what is wrong with it shows at its ends and where something happens. So
 //! it is compared where each stretch begins and ends, at the scene's own place, and at events; at most [`MOST_POSITIONS`]
 //! positions, since the independent solver costs more for one position than the sweep for some thousand.
+//!
+//! A torsion spring is wound up by what its links have turned since the scene's own place. No equation of one position tells
+//! that: the independent solver is led there by short steps, and the angles that it finds are added up.
 
 use std::f64::consts::TAU;
 
 use crate::analytic::{self, AnalyticError};
+use crate::mechanism::force::{SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Answer, Indeterminate, Quantity, Stuck};
-use crate::mechanism::{Input, Mechanism};
+use crate::mechanism::{Input, LinkId, Mechanism};
 use crate::sweep::{EventKind, Stretch, Sweep};
 
 /// A sweep is compared at so many positions at most.
@@ -65,10 +69,120 @@ pub enum SweepUnconfirmed {
 /// The first number that is not confirmed.
 pub fn confirm_sweep(sweep: &Sweep) -> Result<usize, SweepUnconfirmed> {
     let places = positions(sweep);
-    for &at in &places {
-        confirm_at(sweep, at)?;
+    let wound = wound_up(sweep, &places);
+    for (&at, wound) in places.iter().zip(&wound) {
+        confirm_at(sweep, at, wound.as_deref())?;
     }
     Ok(places.len())
+}
+
+/// Where angles are added up, a step goes over so many of the places at which a sweep looks.
+const EVERY: f64 = 16.0;
+
+/// A step in which a link turns by more than this is halved, radians.
+const LONGEST_TURN: f64 = 1.0;
+
+/// Halvings of a step.
+const HALVINGS: u32 = 6;
+
+/// How far each torsion spring with a stiffness is turned from where it has no load, by the independent solver: led from the
+/// scene's own place to each of these, ascending. `None` where nothing has to be added up, or where it is not led to.
+fn wound_up(sweep: &Sweep, places: &[f64]) -> Vec<Option<Vec<f64>>> {
+    let mut wound = vec![None; places.len()];
+    let Some(begin) =
+        sweep.mechanism_at(sweep.start).filter(|mechanism| !torsion_springs(mechanism).is_empty())
+    else {
+        return wound;
+    };
+    let Some(at_start) = turned_further(&begin) else { return wound };
+    let within_half_a_turn: Vec<f64> = at_start.iter().map(|angle| wrapped(*angle)).collect();
+    let looks = f64::from(sweep.looks().max(1));
+    let longest = (sweep.range[1] - sweep.range[0]) * EVERY / looks;
+    let up = places.iter().enumerate().filter(|(_, at)| **at >= sweep.start);
+    let down = places.iter().enumerate().filter(|(_, at)| **at < sweep.start).rev();
+    for way in [up.collect::<Vec<_>>(), down.collect()] {
+        let (mut at, mut angles) = (sweep.start, within_half_a_turn.clone());
+        for (index, &to) in way {
+            let Some(there) = led(sweep, (at, &angles), to, longest) else { break };
+            (at, angles) = (to, there);
+            wound[index] = Some(angles.clone());
+        }
+    }
+    if sweep.whole_turn {
+        // What is not come to one way round is come to the other way round.
+        let turn = sweep.range[1] - sweep.range[0];
+        for (wound, at) in wound.iter_mut().zip(places).filter(|(wound, _)| wound.is_none()) {
+            let round = if *at > sweep.start { at - turn } else { at + turn };
+            *wound = led(sweep, (sweep.start, &within_half_a_turn), round, longest);
+        }
+    }
+    wound
+}
+
+/// A place within the range of a sweep; of an input that goes round within its turn.
+fn home(sweep: &Sweep, at: f64) -> f64 {
+    let [from, to] = sweep.range;
+    if !sweep.whole_turn || (from..=to).contains(&at) {
+        return at;
+    }
+    from + (at - from).rem_euclid(to - from)
+}
+
+/// The angles of torsion springs at another place of the input, led there by short steps.
+fn led(sweep: &Sweep, (from, angles): (f64, &[f64]), to: f64, longest: f64) -> Option<Vec<f64>> {
+    let (mut at, mut angles) = (from, angles.to_vec());
+    while at != to {
+        let left = to - at;
+        let mut goal = if left.abs() <= longest { to } else { at + longest.copysign(left) };
+        let mut halvings = 0;
+        angles = loop {
+            let there = turned_further(&sweep.mechanism_at(home(sweep, goal))?)?;
+            let on: Vec<f64> = angles.iter().zip(&there).map(|(before, now)| wrapped(now - before)).collect();
+            if on.iter().all(|by| by.abs() <= LONGEST_TURN) {
+                break angles.iter().zip(on).map(|(before, by)| before + by).collect();
+            }
+            halvings += 1;
+            if halvings > HALVINGS {
+                return None;
+            }
+            goal = f64::midpoint(at, goal);
+        };
+        at = goal;
+    }
+    Some(angles)
+}
+
+/// The torsion springs with a stiffness: their index, their links and their angle without load.
+fn torsion_springs(mechanism: &Mechanism) -> Vec<(usize, [LinkId; 2], f64)> {
+    let springs = mechanism.forces.springs.iter().enumerate();
+    let torsion = springs.filter_map(|(index, spring)| match (spring.kind, spring.law) {
+        (SpringKind::Torsion(links), SpringLaw::Stiffness { free, .. }) => Some((index, links, free.value)),
+        _ => None,
+    });
+    torsion.collect()
+}
+
+/// How much further the links of each torsion spring are turned against each other than without load, but for whole turns,
+/// by the independent solver.
+fn turned_further(mechanism: &Mechanism) -> Option<Vec<f64>> {
+    let springs = torsion_springs(mechanism);
+    let moving = springs.iter().flat_map(|(_, links, _)| links).filter(|link| **link != LinkId::FRAME);
+    let quantities: Vec<Quantity> = moving.map(|link| Quantity::Angle(*link)).collect();
+    let state = analytic::solve_for(mechanism, &quantities).ok()?;
+    let angle = |link: LinkId| match state.answer(&Quantity::Angle(link)) {
+        _ if link == LinkId::FRAME => Some(0.0),
+        Answer::Scalar { value, .. } => Some(value),
+        _ => None,
+    };
+    let further = |(_, [first, second], free): &(usize, [LinkId; 2], f64)| {
+        Some(angle(*second)? - angle(*first)? - free)
+    };
+    springs.iter().map(further).collect()
+}
+
+/// The same angle within half a turn.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Where a sweep is compared.
@@ -121,11 +235,14 @@ fn stands_on_a_knot(mechanism: &Mechanism) -> bool {
     })
 }
 
-fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
-    let (Some(values), Some(mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
+fn confirm_at(sweep: &Sweep, at: f64, wound: Option<&[f64]>) -> Result<(), SweepUnconfirmed> {
+    let (Some(values), Some(mut mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
     let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
     if quantities.is_empty() || stands_on_a_knot(&mechanism) {
         return Ok(());
+    }
+    for ((index, ..), angle) in torsion_springs(&mechanism).into_iter().zip(wound.unwrap_or_default()) {
+        mechanism.forces.springs[index].wound = *angle;
     }
     // Of what is asked alone: other links may be impossible there.
     let state =

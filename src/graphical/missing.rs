@@ -5,7 +5,7 @@
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
 use crate::board::{Amount, Direction, Point, Reason};
-use crate::mechanism::force::Unaimed;
+use crate::mechanism::force::{Sought, Unaimed};
 use crate::mechanism::friction::RubbingPair;
 use crate::mechanism::quantity::{Indeterminate, Order, Stuck};
 use crate::mechanism::structure::TrialDriver;
@@ -37,6 +37,8 @@ pub enum Missing {
     Sliding(usize),
     /// The size of a load or spring that is sought.
     Sought,
+    /// Work: what is sought does none, and no size of it balances anything.
+    Work(Sought),
     /// In which sense a pair that rubs moves.
     Sense(RubbingPair),
     /// On which side of it a rough guide presses.
@@ -110,6 +112,7 @@ impl Missing {
             Self::Balance => {
                 "locked: drawn again with friction, the forces come to no end: no balance exists".to_owned()
             }
+            Self::Work(sought) => mechanism.say_idle(sought),
             Self::Sought => "no step of the drawing finds the size of a load that is sought".to_owned(),
         }
     }

@@ -38,6 +38,8 @@ pub struct Transcribed {
     pub stalled: bool,
     /// Which chord of the program every half chord of the drawing is, in the order of drawing.
     chord_calls: Vec<Option<u32>>,
+    /// Which of the angles that go on every one of the drawing is.
+    turn_calls: Vec<Option<u32>>,
 }
 
 /// Why a quantity has no numbers in a transcribed drawing.
@@ -56,6 +58,8 @@ pub struct TranscribedWithBounds {
     pub program: BoundedProgram,
     /// The chord of [`Transcribed::program`] that each of its chords is; `None` for one that is constant there.
     pub chords: Vec<Option<usize>>,
+    /// The same of the angles that go on.
+    pub turns: Vec<Option<usize>>,
 }
 
 impl Transcribed {
@@ -100,6 +104,7 @@ pub fn transcribe(
         stuck: written.stuck,
         stalled: written.stalled,
         chord_calls: written.transcript.chord_calls().to_vec(),
+        turn_calls: written.transcript.turn_calls().to_vec(),
     })
 }
 
@@ -117,15 +122,19 @@ pub fn transcribe_with_bounds(
     let written =
         write_down(|tape| Transcript::with_errors(tape, variable), mechanism, structure, plan, &[])?;
     let few = written.numbers.iter().take(lean).sum::<usize>().min(written.asked.len());
-    let calls = written.transcript.chord_calls();
+    let chords = one_in_the_other(written.transcript.chord_calls(), &of.chord_calls);
+    let turns = one_in_the_other(written.transcript.turn_calls(), &of.turn_calls);
+    Ok(TranscribedWithBounds { program: written.transcript.bounded(&written.asked[..few]), chords, turns })
+}
+
+/// Of everything that is numbered in one transcript its number in the other, by what was drawn first of it.
+fn one_in_the_other(calls: &[Option<u32>], others: &[Option<u32>]) -> Vec<Option<usize>> {
     let count = calls.iter().flatten().max().map_or(0, |last| last + 1);
-    let chords = (0..count)
-        .map(|chord| {
-            let call = calls.iter().position(|c| *c == Some(chord))?;
-            of.chord_calls.get(call).copied().flatten().map(|c| c as usize)
-        })
-        .collect();
-    Ok(TranscribedWithBounds { program: written.transcript.bounded(&written.asked[..few]), chords })
+    let of = |number: u32| {
+        let call = calls.iter().position(|c| *c == Some(number))?;
+        others.get(call).copied().flatten().map(|c| c as usize)
+    };
+    (0..count).map(of).collect()
 }
 
 /// What a transcript holds when the drawing is finished.

@@ -316,6 +316,9 @@ pub struct Spring {
     pub kind: SpringKind,
     /// How hard it pulls.
     pub law: SpringLaw,
+    /// Of a torsion spring with a stiffness, within half a turn of which angle its second link is turned further than
+    /// without load, radians: zero in a scene, what has been turned since where a mechanism has moved on from there.
+    pub wound: f64,
 }
 
 impl Spring {
@@ -729,6 +732,32 @@ pub enum Unaimed {
 }
 
 impl Mechanism {
+    /// Why what is sought is not determined where it does no work, as a clause in plain English.
+    #[must_use]
+    pub fn say_idle(&self, sought: Sought) -> String {
+        match sought {
+            Sought::Load(index) => {
+                let load = &self.forces.loads[index];
+                let why = if load.is_torque() {
+                    "its link does not turn with the input"
+                } else {
+                    "its line has no arm about the pole of its link"
+                };
+                format!("the sought load {} does no work here: {why}", load.name)
+            }
+            Sought::Spring(index) => {
+                let name = &self.forces.springs[index].name;
+                format!(
+                    "the sought spring {name} does no work here: no motion changes its length or its angle"
+                )
+            }
+            Sought::Spin => {
+                "no centrifugal force does work here: no mass off the axis moves to or from it".to_owned()
+            }
+            Sought::Effort(_) => "the sought effort does no work here".to_owned(),
+        }
+    }
+
     /// Why something that acts has no direction here, as a clause in plain English.
     #[must_use]
     pub fn say_unaimed(&self, what: Unaimed) -> String {

@@ -609,7 +609,10 @@ fn springs(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
         let law = match (fields.get("stiffness"), fields.entry("force")) {
             (Some(stiffness), None) => {
                 let measure = if turning { Measure::TurningStiffness } else { Measure::Stiffness };
-                let stiffness = size(stiffness, measure, draft)?;
+                let stiffness = match size(stiffness, measure, draft)? {
+                    Size::Given(_) => Size::Given(positive(stiffness, measure, "a stiffness", draft)?),
+                    sought => sought,
+                };
                 let what = match turning {
                     true => "the angle of the second link against the first without load",
                     false => "the length of the spring without load",
@@ -634,7 +637,7 @@ fn springs(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
                     .mend("give `stiffness` and `free`, or `force`"));
             }
         };
-        springs.push(Spring { name, kind, law });
+        springs.push(Spring { name, kind, law, wound: 0.0 });
     }
     draft.mechanism.forces.springs = springs;
     Ok(())

@@ -60,17 +60,22 @@ impl SweepWithBounds<'_> {
         error: impl Fn(f64) -> f64,
         mut take: impl FnMut(f64, &[f64], &[f64]),
     ) {
-        let TranscribedWithBounds { program, chords } = &self.transcribed;
+        let TranscribedWithBounds { program, chords, turns } = &self.transcribed;
+        let before_turns = self.sweep.transcribed().program.chord_count();
         let mut block = program.block();
         let mut place = Workspace::default();
         let width = self.sweep.columns.iter().filter(|c| !c.watched).count();
         let (mut row, mut bounds) = (vec![0.0; width], vec![0.0; width]);
         for (stretch, inside) in self.sweep.parts(places) {
             let own = &stretch.signs;
-            let signs: Vec<f64> = chords
+            let mut signs: Vec<f64> = chords
                 .iter()
                 .map(|chord| chord.and_then(|c| stretch.signs.get(c).copied()).unwrap_or(1.0))
                 .collect();
+            signs.resize(program.chord_slots(), 1.0);
+            signs.extend(turns.iter().map(|turn| {
+                turn.and_then(|turn| stretch.signs.get(before_turns + turn).copied()).unwrap_or(0.0)
+            }));
             for chunk in inside.chunks(FEW) {
                 let mut at = [chunk.last().copied().unwrap_or(0.0); FEW];
                 at[..chunk.len()].copy_from_slice(chunk);

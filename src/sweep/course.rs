@@ -698,6 +698,7 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
     } else if sweep.whole_turn {
         // Once round. Where the way up ends, the way down may still lead on, past the zero of the turn.
         (stretches, events) = go(start + (to - from));
+        let mut wound = Vec::new();
         if stretches.iter().any(|s| s.apart) || stretches.last().is_none_or(|s| s.to < start + (to - from)) {
             let (down, on_the_way) = go(start - (to - from));
             let last = down.iter().filter(|s| !s.apart).min_by(|a, b| a.from.total_cmp(&b.from));
@@ -711,8 +712,10 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
             stretches.extend(down.into_iter().filter(|s| !s.apart));
             events.retain(|e| above(e.at));
             events.extend(on_the_way.into_iter().filter(|e| e.at >= reached - seam(sweep)));
+        } else {
+            wound = wound_up(sweep, start, &stretches);
         }
-        (stretches, events) = wrapped(sweep, stretches, events);
+        (stretches, events) = wrapped(sweep, start, (stretches, events), &wound);
     } else {
         let (up, down);
         (up, events) = go(to);
@@ -820,18 +823,46 @@ fn nodes(a: f64, b: f64, looks: u32, whole: f64) -> Vec<f64> {
 }
 
 /// Places of the input that are apart by less are one: their difference is rounding.
-fn seam(sweep: &Sweep) -> f64 {
+pub(super) fn seam(sweep: &Sweep) -> f64 {
     ERRORS * f64::EPSILON * sweep.size()
 }
 
-/// Brings what was met on the way round into one turn.
-fn wrapped(sweep: &Sweep, stretches: Vec<Stretch>, events: Vec<Event>) -> (Vec<Stretch>, Vec<Event>) {
+/// By how many half turns each angle that goes on has gone on in a whole turn of the input, with its place among the signs.
+fn wound_up(sweep: &Sweep, start: f64, stretches: &[Stretch]) -> Vec<(usize, f64)> {
+    let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else { return Vec::new() };
+    let mut walker = Walker::new(sweep);
+    let mut angles = |at: f64, signs: &[f64]| -> Vec<(usize, f64)> {
+        let turns = walker.view(at, signs).turns.into_iter();
+        turns.map(|(index, away)| (index, away + PI * signs.get(index).copied().unwrap_or(0.0))).collect()
+    };
+    let before = angles(start, &first.signs);
+    let after = angles(start + (sweep.range[1] - sweep.range[0]), &last.signs);
+    let gone = before.into_iter().zip(after);
+    gone.map(|((index, before), (_, after))| (index, 2.0 * ((after - before) / (2.0 * PI)).round())).collect()
+}
+
+/// Brings what was met on the way round into one turn. What lies behind the start there was met a turn later: an angle that
+/// goes on is as much less wound up as it is by a turn, so that it leads on from the start both ways.
+fn wrapped(
+    sweep: &Sweep,
+    start: f64,
+    (stretches, events): (Vec<Stretch>, Vec<Event>),
+    wound: &[(usize, f64)],
+) -> (Vec<Stretch>, Vec<Event>) {
     let ([from, to], seam) = (sweep.range, seam(sweep));
     let turn = to - from;
-    let shifted = |stretch: &Stretch, by: f64| sweep.transcribed().program.shifted(&stretch.signs, by);
     let home = |x: f64| {
         let inside = x - turn * ((x - from) / turn).floor();
         if inside - from < seam || to - inside < seam { from } else { inside }
+    };
+    let of_start = home(start) - start;
+    let shifted = |stretch: &Stretch, by: f64| {
+        let mut signs = sweep.transcribed().program.shifted(&stretch.signs, by);
+        let turns = ((by - of_start) / turn).round();
+        for &(index, half_turns) in wound {
+            signs[index] += turns * half_turns;
+        }
+        signs
     };
     let mut cut = Vec::new();
     for stretch in stretches {

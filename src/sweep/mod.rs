@@ -535,13 +535,24 @@ impl Sweep {
 
     fn look(&self, at: f64, signs: &[f64], place: &mut Workspace) -> Vec<Option<Dual>> {
         let program = &self.transcribed.program;
+        // A limit or a dead position was searched for, and stands no nearer than a rounding of the range: what is divided by
+        // there is known no better, however well the place itself is written.
+        let seam = course::seam(self);
+        let ends = |event: &&Event| matches!(event.kind, EventKind::Limit | EventKind::DeadPosition);
+        let at_end = self.events.iter().filter(ends).any(|event| (event.at - at).abs() <= seam);
+        let told: Vec<bool> = if at_end {
+            program.look_within(at, seam, signs, place);
+            program.known(place).collect()
+        } else {
+            vec![true; self.columns.len()]
+        };
         program.look(at, signs, place);
         program
             .asked(place)
-            .zip(program.known(place))
+            .zip(program.known(place).zip(told))
             .zip(&self.columns)
-            .map(|((m, known), column)| {
-                (m.value.is_finite() && (column.is_of_position() || known)).then(|| column.counted(m))
+            .map(|((m, (known, told)), column)| {
+                (m.value.is_finite() && (column.is_of_position() || known && told)).then(|| column.counted(m))
             })
             .collect()
     }

@@ -10,6 +10,7 @@ use crate::plan::Plan;
 
 use super::super::construction::{Trial, Trials};
 use super::super::draughtsman::Draughtsman;
+use super::super::missing::Missing;
 use super::friction::Leaning;
 use super::{Balance, NO_SPEED, one};
 
@@ -98,10 +99,6 @@ fn in_proportion(
         let changes = with.iter().map(|efforts| d.board.difference(efforts[input], *none)).collect();
         rows.push((changes, *none));
     }
-    let reason = {
-        let links: Vec<_> = (0..without.len()).filter_map(|input| d.mechanism.driven_link(input)).collect();
-        d.reason(&links)
-    };
     let mut told: Vec<(Vec<Amount>, Amount)> = Vec::new();
     for unknown in 0..named.len() {
         // The input that feels it most, beside what else it feels.
@@ -112,6 +109,7 @@ fn in_proportion(
         let best =
             (0..rows.len()).max_by(|a, b| part(&rows[*a]).total_cmp(&part(&rows[*b])).then(b.cmp(a)))?;
         let (changes, rest) = rows.remove(best);
+        let reason = d.reason_missing(Missing::Work(named[unknown]));
         for (others, left) in &mut rows {
             let times = d.board.quotient(others[unknown], changes[unknown], reason);
             for (other, change) in others.iter_mut().zip(&changes).skip(unknown + 1) {
@@ -130,6 +128,7 @@ fn in_proportion(
             let part = d.board.product(*change, *size);
             left = d.board.sum(left, part);
         }
+        let reason = d.reason_missing(Missing::Work(named[unknown]));
         let part = d.board.quotient(left, changes[unknown], reason);
         let size = d.board.opposite(part);
         let size = tried.map_or(size, |tried| d.board.product(size, tried));
