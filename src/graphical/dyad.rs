@@ -540,8 +540,10 @@ impl Draughtsman<'_> {
             (_, Target::Pin(pin)) => Quantity::Velocity(pin),
             (_, Target::Under(pin, link)) => Quantity::CoincidentVelocity(pin, link),
         };
-        let drawn = |v: &Vector| v.quantity == quantity && v.tail == Label::Pole;
-        if !self.polygon(order).is_some_and(|p| p.vectors.iter().any(drawn)) {
+        let drawn = |v: &Vector| v.tail == Label::Pole && v.quantity == quantity;
+        let is_drawn = self.leads_from_pole(order, label)
+            && self.polygon(order).is_some_and(|p| p.vectors.iter().any(drawn));
+        if !is_drawn {
             self.absolute_vector(order, quantity, label, image);
         }
         for unknown in unknowns {
