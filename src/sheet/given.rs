@@ -104,12 +104,12 @@ pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<StatedLength> {
 /// The dimensions and the motion that the scene states, item by item.
 #[must_use]
 pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
-    items_without(notation, &[])
+    items_by(&Teller::of(notation), &[])
 }
 
 /// The same without the places of these points, which a drawing dimensions.
-fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> {
-    let teller = Teller { n: notation };
+fn items_by(teller: &Teller<'_>, dimensioned: &[PointId]) -> Vec<Rich> {
+    let notation = teller.n;
     let mechanism = notation.mechanism();
     let mut parts: Vec<Rich> = Vec::new();
     for link in mechanism.moving().map(|l| mechanism.link(l)) {
@@ -156,7 +156,8 @@ pub fn paragraph(notation: &Notation<'_>) -> Rich {
 /// states.
 #[must_use]
 pub fn paragraph_of_question(notation: &Notation<'_>, dimensioned: &[PointId]) -> Rich {
-    let mut parts = items_without(notation, dimensioned);
+    let teller = Teller { arrows: true, ..Teller::of(notation) };
+    let mut parts = items_by(&teller, dimensioned);
     parts.extend(super::results::stated_scales(notation));
     told(notation, parts)
 }
@@ -174,7 +175,7 @@ fn told(notation: &Notation<'_>, parts: Vec<Rich>) -> Rich {
 pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
     match point {
         GuidePoint::Point(p) => notation.point(p),
-        GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
+        GuidePoint::Own(at) => Teller::of(notation).own_place(at),
     }
 }
 
@@ -237,7 +238,7 @@ pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
 pub(super) fn path_of(point: PointId, notation: &Notation<'_>) -> Option<Rich> {
     let own = notation.mechanism().statements.iter().filter(|statement| statement.point == point);
     own.flat_map(|statement| &statement.loci).find_map(|locus| match locus {
-        Locus::On(path) => Some(Teller { n: notation }.line_of(path)),
+        Locus::On(path) => Some(Teller::of(notation).line_of(path)),
         _ => None,
     })
 }
@@ -284,6 +285,14 @@ fn turned_from(direction: Direction, turned: f64) -> f64 {
 
 struct Teller<'a> {
     n: &'a Notation<'a>,
+    /// Arrows on the skeleton show which way the riders of straight guides are driven: what is told is how fast.
+    arrows: bool,
+}
+
+impl<'a> Teller<'a> {
+    fn of(n: &'a Notation<'a>) -> Self {
+        Self { n, arrows: false }
+    }
 }
 
 /// Whether an input moves, or speeds up.
@@ -855,6 +864,13 @@ impl Teller<'_> {
         };
         for rubbing in &friction.pins {
             let place = self.n.index(rubbing.pin);
+            // Between two links it is the same which of them holds the pin.
+            let carrier = mechanism.rubbing_carrier(rubbing.pin);
+            if let (Some(link), true) = (carrier, mechanism.parties_at(rubbing.pin).len() > 2) {
+                let told =
+                    [("point", self.n.point(rubbing.pin)), ("link", Rich::upright(&self.n.number(link)))];
+                parts.push(Rich::fill(self.n.words.given_pin_held, &told));
+            }
             match rubbing.circle {
                 FrictionCircle::Radius(radius) => {
                     let symbol = Rich::italic("r").sub(&format!("f,{place}"));
@@ -1120,16 +1136,28 @@ impl Teller<'_> {
                     return;
                 }
                 // What drives a slide on a moving guide drives it along that guide.
-                let guide = self.n.mechanism().slides.get(*slide).map(|slide| slide.guide.link);
-                let [first, second] = match guide.filter(|guide| *guide != LinkId::FRAME) {
-                    Some(guide) => [Quantity::Slip(point, guide), Quantity::SlipAcceleration(point, guide)],
-                    None => [Quantity::Velocity(point), Quantity::Acceleration(point)],
+                let guide = self.n.mechanism().slides.get(*slide).map(|slide| slide.guide);
+                let [first, second] = match guide.map(|guide| guide.link) {
+                    Some(link) if link != LinkId::FRAME => {
+                        [Quantity::Slip(point, link), Quantity::SlipAcceleration(point, link)]
+                    }
+                    _ => [Quantity::Velocity(point), Quantity::Acceleration(point)],
                 };
+                let is_straight = guide.is_some_and(|guide| matches!(guide.path, Path::Straight { .. }));
+                let arrow = self.arrows && is_straight && velocity.value != 0.0;
+                let size = |rate: f64| if arrow { rate.abs() } else { rate };
                 let unit = rate_unit(self.n.unit(Dimension::Velocity));
-                let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);
+                let value = self.constant(self.rate(size(velocity.value), &unit, false), acceleration.value);
                 parts.push(self.equals(self.n.symbol(first, false), &value));
                 let unit = second_unit(self.n.unit(Dimension::Acceleration));
-                self.second(second, acceleration.value, &unit, false, parts);
+                self.second(second, size(acceleration.value), &unit, false, parts);
+                if let (true, Some(told)) = (arrow && acceleration.value != 0.0, parts.last_mut()) {
+                    let words = self.n.words;
+                    let with = velocity.value.signum() == acceleration.value.signum();
+                    let words = if with { words.in_sense_of } else { words.against_sense_of };
+                    let sense = Rich::fill(words, &[("rotation", self.n.symbol(first, false))]);
+                    *told = told.clone().up("\u{a0}").then(&sense);
+                }
             }
         }
     }

@@ -131,6 +131,8 @@ pub struct Words {
     pub given_at: &'static str,
     pub given_at_angle: &'static str,
     pub given_journal: &'static str,
+    /// Of a pin of three links that rubs.
+    pub given_pin_held: &'static str,
     pub given_scales: &'static str,
     /// After a rate that does not change.
     pub given_constant: &'static str,
@@ -577,6 +579,7 @@ const ENGLISH: Words = Words {
     given_at: "{point} stands {distance} from {place} along its guide",
     given_at_angle: "{point} stands {distance} from {place} at {angle}",
     given_journal: "journal radius at {points}: {radius}",
+    given_pin_held: "the pin at {point} is fixed in link {link}",
     given_scales: "scales {list}",
     given_constant: "constant",
     dimensions_in: "dimensions in {unit}",
@@ -1002,6 +1005,7 @@ const ARABIC: Words = Words {
     given_at: "تبعد {point} مسافة {distance} عن {place} على امتداد دليلها",
     given_at_angle: "تبعد {point} مسافة {distance} عن {place} بزاوية {angle}",
     given_journal: "نصف قطر مسمار الربط {radius} عند {points}",
+    given_pin_held: "مسمار الربط عند {point} مثبت في الوصلة {link}",
     given_scales: "مقاييس الرسم {list}",
     given_constant: "ثابتة",
     dimensions_in: "الأبعاد بوحدة {unit}",
@@ -1478,6 +1482,7 @@ const PERSIAN: Words = Words {
     given_at: "فاصلهٔ {point} از {place} در امتداد راهنمایش {distance}",
     given_at_angle: "{point} در فاصلهٔ {distance} از {place} با زاویهٔ {angle}",
     given_journal: "شعاع پین {radius} در {points}",
+    given_pin_held: "پین {point} در بند {link} ثابت است",
     given_scales: "مقیاس‌های {list}",
     given_constant: "ثابت",
     dimensions_in: "ابعاد بر حسب {unit}",
