@@ -44,6 +44,7 @@ mod grade_follows;
 mod grade_names;
 mod grade_room;
 mod grade_skeleton;
+mod grade_unread;
 mod groups;
 #[path = "hard/main.rs"]
 mod hard;

@@ -10,7 +10,7 @@ use crate::grade::{self, Allowed, GradeError, GradeSettings, HandIn, Report};
 use crate::parallel;
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
-use crate::scene::Scene;
+use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Figure;
 use crate::solve::Hand;
 
@@ -116,7 +116,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     } else {
         print(&report.to_text())?;
     }
+    // What is not understood is told like any bad input, behind what was graded all the same.
+    let unread = unread(&report);
+    if !unread.is_empty() {
+        return Err(Failure(unread.join("\nerror: ")));
+    }
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// What of a hand-in is not understood.
+fn unread(report: &Report) -> Vec<String> {
+    report.not_read.iter().map(|one| one.why.to_string()).collect()
 }
 
 /// What is graded by: a scene, or the variants of an exam.
@@ -247,14 +257,21 @@ fn graded(
     let (file, text) = files::read(path)?;
     let mut answers = grade::read_named(&text, &file, scene)?;
     // Where nobody says on the command line which drawing it is, it lies beside the answers.
-    let drawing = match (drawing, &answers.drawing) {
-        (Some(given), _) => Some(given.to_owned()),
-        (None, Some(named)) => Some(beside(path, &answers, named)?),
-        (None, None) => None,
-    };
-    if let Some(drawing) = drawing {
-        let (file, svg) = files::read_file(&drawing)?;
-        answers.add_drawing(&svg, &file, scene)?;
+    match (drawing, answers.drawing.clone()) {
+        (Some(given), _) => {
+            let (file, svg) = files::read_file(given)?;
+            answers.add_drawing(&svg, &file, scene)?;
+        }
+        (None, Some(named)) => {
+            // Whoever names what is no drawing has his other answers graded.
+            if let Err(why) = add_drawing_beside(path, &named, &mut answers, scene) {
+                if answers.is_empty() {
+                    return Err(why.into());
+                }
+                answers.miss_drawing(why);
+            }
+        }
+        (None, None) => {}
     }
     // Of a class somebody may hand in an empty sheet.
     if answers.is_empty() && !of_class {
@@ -341,11 +358,11 @@ fn of_class(
         class.push(HandIn { file: files::shown(path), outcome });
         figures.push(figure);
     }
-    let unread: Vec<&str> =
+    let refused: Vec<&str> =
         class.iter().filter_map(|one| one.outcome.as_ref().err()).map(String::as_str).collect();
     // Where none can be graded, the scene is at fault, or all of them.
-    if unread.len() == class.len() {
-        return Err(Failure(unread.join("\nerror: ")));
+    if refused.len() == class.len() {
+        return Err(Failure(refused.join("\nerror: ")));
     }
     if let Some(Output::Folder(folder)) = output {
         write_folder(folder, answers, &class, &figures)?;
@@ -371,6 +388,10 @@ fn of_class(
     } else {
         print(&told(&class, &faults))?;
     }
+    let unread: Vec<String> = class
+        .iter()
+        .flat_map(|one| one.outcome.as_ref().map_or_else(|why| vec![why.clone()], unread))
+        .collect();
     if !unread.is_empty() {
         return Err(Failure(unread.join("\nerror: ")));
     }
@@ -469,10 +490,19 @@ fn page(title: &str, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>
     Ok(report.to_html(title, svg.as_deref()).into_bytes())
 }
 
-/// The place of the drawing that the answers name; told at the key that names it, where it is refused.
-fn beside(file: &Path, answers: &grade::Answers, named: &str) -> Result<PathBuf, Failure> {
-    files::beside_of(file, named).map_err(|error| {
+/// Takes the drawing that the answers name; what is wrong with its place is told at the key that names it.
+fn add_drawing_beside(
+    file: &Path,
+    named: &str,
+    answers: &mut grade::Answers,
+    scene: &Scene,
+) -> Result<(), Diagnostic> {
+    let at = answers.drawing_at;
+    let place = files::beside_of(file, named).map_err(|error| {
         let mend = "name a file beside the answers, or give it on the command line: --drawing FILE";
-        answers.complain(answers.drawing_at, error.to_string(), Some(mend.to_owned())).into()
-    })
+        answers.complain(at, error.to_string(), Some(mend.to_owned()))
+    })?;
+    let (file, svg) =
+        files::read_file(&place).map_err(|error| answers.complain(at, error.to_string(), None))?;
+    answers.add_drawing(&svg, &file, scene)
 }

@@ -21,6 +21,7 @@ tr.wrong td:first-child::before{content:'\u{2717} '}\
 tr.right td:first-child::before{content:'\u{2713} '}\
 tr.consistent td:first-child::before{content:'\u{21b3} '}\
 tr.missing{color:#555}\
+tr.unread td:first-child::before{content:'? '}\
 p.sum{font-weight:bold;text-align:right;margin:.4em 0 1em}\
 ol{padding-left:1.2em}\
 figure{margin:1em 0;break-inside:avoid}\
@@ -85,6 +86,15 @@ impl Report {
                 "<tr class=\"missing\"><td colspan=\"4\">not answered: {}</td><td class=\"n\">0 of {}</td></tr>",
                 self.symbols.html(&names.join(", ")),
                 marks(weight),
+            );
+        }
+        for one in &self.not_read {
+            let _ = writeln!(
+                page,
+                "<tr class=\"unread\"><td>{}</td><td colspan=\"3\">not read: <bdi>{}</bdi></td><td class=\"n\">{}</td></tr>",
+                self.symbols.html(&one.name),
+                escaped(&one.why.to_string()),
+                if one.weight > 0.0 { format!("0 of {}", marks(one.weight)) } else { "no marks".to_owned() },
             );
         }
         let (reached, of) = self.sum();

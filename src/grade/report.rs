@@ -9,6 +9,7 @@ use super::mistakes::vector_of;
 use super::symbols::Symbols;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Nature, Order, Quantity, Unit};
+use crate::scene::Diagnostic;
 
 /// A graded solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,8 @@ pub struct Report {
     pub quantities: Vec<Graded>,
     /// What is asked and was not answered, with the marks that it would have brought.
     pub missing: Vec<(String, f64)>,
+    /// What was handed in and is not understood: it answers nothing.
+    pub not_read: Vec<NotRead>,
     /// Points given for steps; what was not answered is one of them, without a step.
     pub marks: Vec<StepMarks>,
     /// What its names are called on the sheet.
@@ -34,6 +37,17 @@ pub struct Report {
     pub tolerances_ignored: bool,
     /// The variant of the exam to which the answers belong, where that is another one.
     pub other_variant: Option<String>,
+}
+
+/// A field of a hand-in that is not understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotRead {
+    /// As the file names it.
+    pub name: String,
+    /// What is not understood of it, where, and how to mend it.
+    pub why: Diagnostic,
+    /// The marks that it would have brought: none where something else answers what it was for, or nobody knows.
+    pub weight: f64,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -184,13 +198,14 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
             Graded { charged: charged.contains(&index), ..graded }
         })
         .collect();
-    let missing = missing(case);
-    let marks = marks(&quantities, case, &missing);
+    let (missing, not_read) = unanswered(case);
+    let marks = marks(&quantities, case, &missing, &not_read);
     Report {
         scene: case.scene.source.file().to_owned(),
         student: answers.student.clone(),
         quantities,
         missing,
+        not_read,
         marks,
         symbols: case.symbols(),
         turned: case.turns.told(),
@@ -315,14 +330,23 @@ fn weight(case: &Case<'_>, observation: &Observation) -> f64 {
     stated(case, asked.map_or(&observation.name, |asked| &asked.name))
 }
 
-/// What is asked, and neither answered nor drawn as a point.
-fn missing(case: &Case<'_>) -> Vec<(String, f64)> {
+/// What is asked, and neither answered nor drawn as a point; and what was handed in for it and is not understood.
+fn unanswered(case: &Case<'_>) -> (Vec<(String, f64)>, Vec<NotRead>) {
     let answered = |wanted: Quantity| {
         let own = case.observations.iter().any(|observation| observation.quantity == Some(wanted));
         own || shown(case, &vec![Verdict::NotChecked; case.observations.len()], wanted).is_some()
     };
     let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(asked.quantity));
-    asked.map(|asked| (asked.name.clone(), stated(case, &asked.name))).collect()
+    let mut open: Vec<(Quantity, (String, f64))> =
+        asked.map(|asked| (asked.quantity, (asked.name.clone(), stated(case, &asked.name)))).collect();
+    let not_read = case.unread.iter().map(|unread| {
+        let own = |quantity: &Quantity| Some(*quantity) == unread.quantity;
+        let weight = open.iter().filter(|(quantity, _)| own(quantity)).map(|(_, (_, marks))| marks).sum();
+        open.retain(|(quantity, _)| !own(quantity));
+        NotRead { name: unread.name.clone(), why: unread.why.clone(), weight }
+    });
+    let not_read = not_read.collect();
+    (open.into_iter().map(|(_, missing)| missing).collect(), not_read)
 }
 
 fn graded(
@@ -433,7 +457,12 @@ fn consistent_share(case: &Case<'_>, index: usize) -> f64 {
 }
 
 /// Marks by steps: what is right, or follows rightly, has its whole weight.
-fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> Vec<StepMarks> {
+fn marks(
+    quantities: &[Graded],
+    case: &Case<'_>,
+    missing: &[(String, f64)],
+    not_read: &[NotRead],
+) -> Vec<StepMarks> {
     let mut steps: Vec<((Order, Option<usize>), StepMarks)> = Vec::new();
     for (graded, observation) in quantities.iter().zip(&case.observations) {
         if graded.verdict == Verdict::NotChecked {
@@ -451,13 +480,10 @@ fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> V
         marks.reached += graded.reached();
     }
     let mut marks: Vec<StepMarks> = steps.into_iter().map(|(_, marks)| marks).collect();
-    if !missing.is_empty() {
-        marks.push(StepMarks {
-            step: None,
-            names: missing.iter().map(|(name, _)| name.clone()).collect(),
-            reached: 0.0,
-            of: missing.iter().map(|(_, weight)| weight).sum(),
-        });
+    let unread = not_read.iter().filter(|one| one.weight > 0.0).map(|one| (one.name.clone(), one.weight));
+    let (names, weights): (Vec<String>, Vec<f64>) = missing.iter().cloned().chain(unread).unzip();
+    if !names.is_empty() {
+        marks.push(StepMarks { step: None, names, reached: 0.0, of: weights.iter().sum() });
     }
     marks
 }
@@ -516,6 +542,7 @@ impl Report {
             "scene": self.scene,
             "quantities": quantities,
             "missing": self.missing.iter().map(|(name, _)| name).collect::<Vec<_>>(),
+            "not_read": self.not_read.iter().map(not_read_json).collect::<Vec<_>>(),
             "first_fault": first,
             "marks": { "reached": reached, "of": of, "steps": steps },
         });
@@ -536,6 +563,13 @@ impl Report {
         }
         report
     }
+}
+
+fn not_read_json(NotRead { name, why, weight }: &NotRead) -> Value {
+    json!({
+        "name": name, "file": why.file, "line": why.line, "column": why.column, "path": why.path,
+        "what": why.what, "mend": why.mend, "marks": { "reached": 0.0, "of": weight },
+    })
 }
 
 fn quantity_json(graded: &Graded, symbols: &Symbols) -> Value {

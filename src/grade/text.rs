@@ -212,6 +212,11 @@ impl Report {
             let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
             let _ = writeln!(text, "not answered: {}", self.symbols.plain(&names.join(", ")));
         }
+        for one in &self.not_read {
+            let marks = if one.weight > 0.0 { ", no marks" } else { "" };
+            let name = self.symbols.plain(&one.name);
+            let _ = writeln!(text, "not read{marks}: {name}: {}", one.why);
+        }
         if let (Some(fault), None) = (self.first_fault(), &self.other_variant) {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
             let _ = writeln!(text, "first fault{place}, {}", self.symbols.plain(&fault.text()));

@@ -520,6 +520,9 @@ pub struct Words {
     pub answers_head: &'static str,
     pub count_directions: &'static str,
     pub count_rotations: &'static str,
+    /// Of a fixed `{point}` at the origin, and of one with its `{x}` and `{y}`.
+    pub count_places: &'static str,
+    pub count_places_at: &'static str,
     pub marks: &'static str,
     pub marks_of_vector: &'static str,
 }
@@ -946,6 +949,8 @@ const ENGLISH: Words = Words {
     answers_head: "Answers:",
     count_directions: "to three figures; directions in degrees, counter-clockwise from the x-axis",
     count_rotations: "rotations and torques counter-clockwise positive",
+    count_places: "coordinates of places from {point}, x to the right and y upward",
+    count_places_at: "coordinates of places: x to the right and y upward, {point} at ({x}, {y})",
     marks: "marks: {list}; {total} in all",
     marks_of_vector: "{symbol} {marks} ({size} for the magnitude, {direction} for the direction)",
 };
@@ -1373,6 +1378,8 @@ const ARABIC: Words = Words {
     answers_head: "الإجابات:",
     count_directions: "بثلاثة أرقام معنوية، والمناحي بالدرجات بعكس عقارب الساعة من المحور x",
     count_rotations: "الدوران والعزم موجبان بعكس عقارب الساعة",
+    count_places: "إحداثيات المواضع من {point}: x نحو اليمين و y نحو الأعلى",
+    count_places_at: "إحداثيات المواضع: x نحو اليمين و y نحو الأعلى، و {point} عند ({x}، {y})",
     marks: "العلامات: {list}، والمجموع {total}",
     marks_of_vector: "{symbol} {marks} (القيمة {size} والمنحى {direction})",
 };
@@ -1393,6 +1400,8 @@ const ARABIC_AJALA: Words = Words {
     answer_direction: "اتجاه {symbol}، عكس عقارب الساعة من المحور x",
     count_directions: "بثلاثة أرقام معنوية، والاتجاهات بالدرجات عكس عقارب الساعة من المحور x",
     count_rotations: "الدوران والعزم موجبان عكس عقارب الساعة",
+    count_places: "إحداثيات المواضع من {point}: x نحو اليمين و y لأعلى",
+    count_places_at: "إحداثيات المواضع: x نحو اليمين و y لأعلى، و {point} عند ({x}، {y})",
     marks: "الدرجات: {list}، والمجموع {total}",
     marks_of_vector: "{symbol} {marks} (القيمة {size} والاتجاه {direction})",
     direction: "الاتجاه",
@@ -1849,6 +1858,8 @@ const PERSIAN: Words = Words {
     answers_head: "پاسخ‌ها:",
     count_directions: "با سه رقم معنادار؛ راستاها به درجه و پادساعتگرد از محور x",
     count_rotations: "چرخش‌ها و گشتاورها پادساعتگرد مثبت‌اند",
+    count_places: "مختصات مکان‌ها از {point}: x به راست و y به بالا",
+    count_places_at: "مختصات مکان‌ها: x به راست و y به بالا، {point} در ({x}، {y})",
     marks: "نمره‌ها: {list}؛ در مجموع {total}",
     marks_of_vector: "{symbol} {marks} (مقدار {size}، راستا {direction})",
 };
