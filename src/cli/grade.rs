@@ -11,7 +11,7 @@ use crate::parallel;
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::{Diagnostic, Scene};
-use crate::sheet::Figure;
+use crate::sheet::{Figure, Language};
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
@@ -23,6 +23,7 @@ pub(super) struct Job {
     pub(super) hand: Option<Hand>,
     pub(super) max_tolerance: Option<f64>,
     pub(super) trust_answers: bool,
+    pub(super) lang: Option<String>,
     pub(super) output: Option<PathBuf>,
 }
 
@@ -86,6 +87,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let Some(own) = answers.first() else { return Ok(Ending::Fine) };
     let scene = source.of(own)?;
+    let settings = GradeSettings { language: language(job, &scene)?, ..settings };
     let (report, figure) = graded((&scene, &source), own, job.drawing.as_deref(), &settings, false)?;
     match &output {
         None => {}
@@ -102,11 +104,19 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             files::write_all(&[(path.clone(), bytes)])?;
         }
         Some(Output::Page(path)) => {
-            files::write_all(&[(path.clone(), page(&title(&scene), &report, figure.as_ref())?)])?;
+            files::write_all(&[(
+                path.clone(),
+                page(&title(&scene, report.language), &report, figure.as_ref())?,
+            )])?;
         }
         Some(Output::Folder(folder)) => {
             let one = HandIn { file: files::shown(own), outcome: Ok(report.clone()) };
-            write_folder(folder, answers, &[one], &[figure.map(|figure| (title(&scene), figure))])?;
+            write_folder(
+                folder,
+                answers,
+                &[one],
+                &[figure.map(|figure| (title(&scene, report.language), figure))],
+            )?;
         }
     }
     if job.json {
@@ -217,8 +227,15 @@ impl Exam {
     }
 }
 
-fn title(scene: &Scene) -> String {
-    scene.title.in_language("en").unwrap_or("Solution").to_owned()
+fn title(scene: &Scene, language: Language) -> String {
+    let words = language.words();
+    scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned()
+}
+
+/// The language of the reports: as it is wished, or that of the sheet.
+fn language(job: &Job, scene: &Scene) -> Result<Language, Failure> {
+    let own = || scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default();
+    job.lang.as_deref().map_or_else(|| Ok(own()), super::language)
 }
 
 /// What an output's name means.
@@ -301,6 +318,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
         let why = "nothing was handed in, so there is nothing to lay over";
         return Err(Failure(format!("{}: {why}", files::shown(path))));
     }
+    let language = language(job, scene)?;
     let all = grade::tolerances(scene, settings).map_err(|error| refused(scene, error))?;
     let loose = |graded: &grade::Graded| matches!(graded.allowed, Allowed::Capped { .. });
     if job.json {
@@ -310,7 +328,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
                 serde_json::json!({
                     "name": graded.name, "unit": graded.unit.symbol, "right": graded.right,
                     "tolerance": graded.tolerance, "tolerance_direction_deg": graded.turn,
-                    "tolerance_because": graded.because(),
+                    "tolerance_because": graded.because().told(language),
                     "loose": loose(graded),
                 })
             })
@@ -322,8 +340,9 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
         let mut text = String::new();
         for graded in &all {
             let flag = if loose(graded) { "  TOO LOOSE: ask for something else, or draw larger" } else { "" };
-            let _ =
-                writeln!(text, "{}: {}: {}{flag}", graded.name, graded.expected_within(), graded.because());
+            let [right, because] =
+                [graded.expected_within(), graded.because()].map(|told| told.told(language));
+            let _ = writeln!(text, "{}: {right}: {because}{flag}", graded.name);
         }
         print(&text)?;
     }
@@ -341,8 +360,10 @@ fn of_class(
     let bar = progress(answers.len(), "hand-ins");
     let all = parallel::map(answers, |path| {
         let graded = source.of(path).and_then(|scene| {
-            let (report, figure) = graded((&scene, source), path, None, settings, true)?;
-            Ok::<_, Failure>((report, figure.map(|figure| (title(&scene), figure))))
+            let language = language(job, &scene)?;
+            let settings = GradeSettings { language, ..*settings };
+            let (report, figure) = graded((&scene, source), path, None, &settings, true)?;
+            Ok::<_, Failure>((report, figure.map(|figure| (title(&scene, language), figure))))
         });
         bar.inc(1);
         graded
@@ -414,7 +435,10 @@ fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
                 let (reached, of) = report.sum();
                 let fault = match (&report.other_variant, report.first_fault()) {
                     (Some(variant), _) => format!("the answers of variant {variant}"),
-                    (None, fault) => fault.map_or(String::new(), |fault| report.symbols.plain(&fault.text())),
+                    (None, fault) => {
+                        let told = |fault: grade::FirstFault<'_>| fault.text().told(report.language);
+                        fault.map_or(String::new(), |fault| report.symbols.plain(&told(fault)))
+                    }
                 };
                 let marks = format!("{} of {}", short(reached), short(of));
                 let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");
@@ -465,7 +489,7 @@ fn write_folder(
         }
         let (title, figure) = match figure {
             Some((title, figure)) => (title.as_str(), Some(figure)),
-            None => ("Solution", None),
+            None => (report.language.words().untitled, None),
         };
         all.push((folder.join(format!("{name}.html")), page(title, report, figure)?));
     }

@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InputChange, Misreading, Stray, Which};
 use super::force_mistakes::same as same_force;
+use super::phrase::{Phrase, say};
 use super::symbols::Symbols;
 use super::turned::{self, Turns};
 use super::unread::Unread;
@@ -27,7 +28,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
-use crate::sheet::{HandedIn, OwnForce, Symbol};
+use crate::sheet::{HandedIn, Language, OwnForce, Symbol};
 use crate::solve::{self, Solved};
 use crate::tolerance::{self, Ground, Standard, Tolerated};
 
@@ -119,6 +120,8 @@ pub(super) struct Case<'s> {
     pub(super) tolerances_ignored: bool,
     /// What of the answers is not understood.
     pub(super) unread: Vec<Unread>,
+    /// In which language everything is told.
+    pub(super) language: Language,
 }
 
 /// By how much an answer may be off.
@@ -139,6 +142,13 @@ impl Room {
     /// So many times as wide.
     pub(super) fn times(self, factor: f64) -> Self {
         Self { by: factor * self.by, turn: factor * self.turn }
+    }
+
+    /// The same for a vector that is so long instead of `right`: whoever is off by as much at the head of a shorter one is off
+    /// by more of its direction.
+    pub(super) fn of_size(self, long: f64, right: f64) -> Self {
+        let shorter = if long > 0.0 { (right / long).max(1.0) } else { 1.0 };
+        Self { turn: (self.turn * shorter).max(self.turn), ..self }
     }
 
     /// The wider of two.
@@ -300,6 +310,7 @@ impl<'s> Case<'s> {
             by_parts: settings.by_parts,
             tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
             unread: Vec::new(),
+            language: settings.language,
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
@@ -390,28 +401,31 @@ impl<'s> Case<'s> {
     pub(super) fn symbols(&self) -> Symbols {
         let scene = self.scene;
         let mut all: Vec<(String, Symbol)> = Vec::new();
+        let alone: fn(&str) -> Phrase = |name| Phrase::from(name);
         for observation in &self.observations {
-            let (of, symbol) = match (observation.target, observation.quantity) {
+            let (of, symbol): (fn(&str) -> Phrase, Symbol) = match (observation.target, observation.quantity)
+            {
                 (Target::Image(order, label), _) => {
-                    let of = if order == Order::Velocity { "velocity" } else { "acceleration" };
-                    (Some(format!("{of} polygon")), crate::sheet::image_symbol(scene, label, order.diagram()))
+                    let figure = match order {
+                        Order::Velocity => |name: &str| say!("{} (velocity polygon)", name),
+                        _ => |name: &str| say!("{} (acceleration polygon)", name),
+                    };
+                    (figure, crate::sheet::image_symbol(scene, label, order.diagram()))
                 }
                 (Target::Place(point), _) => {
-                    (Some("skeleton".to_owned()), crate::sheet::symbol(scene, Quantity::Position(point)))
+                    let figure = |name: &str| say!("{} (skeleton)", name);
+                    (figure, crate::sheet::symbol(scene, Quantity::Position(point)))
                 }
                 (Target::Line(index, _), _) => {
-                    let symbol = crate::sheet::symbol(scene, self.mechanism.asked[index].quantity);
-                    let told = |text: &str| format!("line of {text}");
-                    (None, Symbol { plain: told(&symbol.plain), html: told(&symbol.html) })
+                    let line = |name: &str| say!("line of {}", name);
+                    (line, crate::sheet::symbol(scene, self.mechanism.asked[index].quantity))
                 }
-                (Target::Asked(_), Some(quantity)) => (None, self.symbol(quantity)),
+                (Target::Asked(_), Some(quantity)) => (alone, self.symbol(quantity)),
                 (Target::Asked(_), None) => continue,
             };
-            let with = |text: String| of.as_ref().map_or(text.clone(), |of| format!("{text} ({of})"));
-            all.push((
-                observation.name.clone(),
-                Symbol { plain: with(symbol.plain), html: with(symbol.html) },
-            ));
+            let told = |name: &str| of(name).told(self.language);
+            let symbol = Symbol { plain: told(&symbol.plain), html: told(&symbol.html) };
+            all.push((observation.name.clone(), symbol));
         }
         let asked = self.scene.mechanism.asked.iter().map(|asked| (asked.name.clone(), asked.quantity));
         let named = self.named.borrow();
@@ -430,7 +444,7 @@ impl<'s> Case<'s> {
         let unnamed = unnamed.filter(|(index, load)| load.name == format!("load {}", index + 1));
         match unnamed.map(|(_, load)| load.link) {
             Some(link) => {
-                let told = format!("the load on link {}", self.mechanism.link(link).number);
+                let told = say!("the load on link {}", self.mechanism.link(link).number).told(self.language);
                 Symbol { plain: told.clone(), html: told }
             }
             None => crate::sheet::symbol(self.scene, quantity),

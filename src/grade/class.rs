@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::judge::Verdict;
+use super::phrase::say;
 use super::report::Report;
 use super::text::marks;
 
@@ -40,22 +41,26 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
     for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
         let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
         if let Some(variant) = &report.other_variant {
-            let text = format!("the answers of variant {variant}");
-            own.insert((OTHER_VARIANT, variant.clone()), text);
+            let text = say!("the answers of variant {}", variant);
+            own.insert((OTHER_VARIANT, variant.clone()), report.says(&text));
         }
-        own.extend(report.not_read.iter().map(|one| {
-            let text = report.symbols.plain(&format!("{}: not read", one.name));
-            ((NOT_READ, one.name.clone()), text)
-        }));
+        own.extend(
+            report
+                .not_read
+                .iter()
+                .map(|one| ((NOT_READ, one.name.clone()), report.says(&say!("{}: not read", one.name)))),
+        );
         let wrong = report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
         for graded in wrong.filter(|_| report.other_variant.is_none()) {
             match graded.mistakes.first() {
-                Some(mistake) => own.extend(mistake.parts().map(|part| {
-                    ((part.kind.name(), part.at.clone()), report.symbols.plain(&part.own_text()))
-                })),
+                Some(mistake) => own.extend(
+                    mistake
+                        .parts()
+                        .map(|part| ((part.kind.name(), part.at.to_string()), report.says(&part.own_text()))),
+                ),
                 None => {
-                    let text = report.symbols.plain(&format!("{}: no known mistake fits", graded.name));
-                    own.insert(("unknown", graded.name.clone()), text);
+                    let text = say!("{}: no known mistake fits", graded.name);
+                    own.insert(("unknown", graded.name.clone()), report.says(&text));
                 }
             }
         }

@@ -6,10 +6,12 @@ use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
 use super::judge::{Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
+use super::phrase::{Phrase, say};
 use super::symbols::Symbols;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Nature, Order, Quantity, Unit};
 use crate::scene::Diagnostic;
+use crate::sheet::Language;
 
 /// A graded solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +39,8 @@ pub struct Report {
     pub tolerances_ignored: bool,
     /// The variant of the exam to which the answers belong, where that is another one.
     pub other_variant: Option<String>,
+    /// In which language it is told.
+    pub language: Language,
 }
 
 /// A field of a hand-in that is not understood.
@@ -148,12 +152,12 @@ pub struct FirstFault<'r> {
 impl FirstFault<'_> {
     /// The answer and its likeliest mistake, in words.
     #[must_use]
-    pub fn text(&self) -> String {
+    pub fn text(&self) -> Phrase {
         match self.mistakes.first() {
-            None => format!("{}: no known mistake fits", self.name),
+            None => say!("{}: no known mistake fits", self.name),
             // Most mistakes are made at the answer that shows them.
             Some(mistake) if mistake.at == self.name => mistake.text(),
-            Some(mistake) => format!("{}: {}", self.name, mistake.text()),
+            Some(mistake) => say!("{}: {}", self.name, mistake.text()),
         }
     }
 }
@@ -212,6 +216,7 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         enlarged: case.enlarged,
         tolerances_ignored: case.tolerances_ignored,
         other_variant: answers.other_variant.clone(),
+        language: case.language,
     }
 }
 
@@ -525,11 +530,11 @@ impl Report {
     #[must_use]
     pub fn to_json(&self) -> Value {
         let quantities: Vec<Value> =
-            self.quantities.iter().map(|graded| quantity_json(graded, &self.symbols)).collect();
+            self.quantities.iter().map(|graded| self.quantity_json(graded)).collect();
         let first = self.first_fault().map(|fault| {
             json!({
                 "step": fault.step, "name": fault.name,
-                "mistakes": fault.mistakes.iter().map(|mistake| mistake_json(mistake, &self.symbols)).collect::<Vec<_>>(),
+                "mistakes": fault.mistakes.iter().map(|mistake| self.mistake_json(mistake)).collect::<Vec<_>>(),
             })
         });
         let (reached, of) = self.sum();
@@ -563,6 +568,52 @@ impl Report {
         }
         report
     }
+
+    fn quantity_json(&self, graded: &Graded) -> Value {
+        let one = |numbers: &[f64]| match numbers {
+            [x] => json!(x),
+            [] => Value::Null,
+            numbers => json!(numbers),
+        };
+        let mut value = json!({
+            "name": graded.name,
+            "unit": graded.unit.symbol,
+            "given": one(&graded.given),
+            "right": one(&graded.right),
+            "tolerance": graded.tolerance,
+            "tolerance_because": graded.because().told(self.language),
+            "measurable": !matches!(graded.allowed, Allowed::Capped { .. }),
+            "marks": { "reached": graded.reached(), "of": graded.weight },
+            "asked": graded.asked,
+            "verdict": graded.verdict.name(),
+        });
+        if let Some(turn) = graded.turn {
+            value["tolerance_direction_deg"] = json!(turn);
+        }
+        if graded.verdict == Verdict::Wrong {
+            if graded.turn.is_some() {
+                let parts = [("magnitude", graded.amiss.size), ("direction", graded.amiss.direction)];
+                value["wrong_in"] = parts.into_iter().filter(|(_, off)| *off).map(|(part, _)| part).collect();
+            }
+            value["mistakes"] = graded.mistakes.iter().map(|mistake| self.mistake_json(mistake)).collect();
+        }
+        value
+    }
+
+    fn mistake_json(&self, mistake: &Mistake) -> Value {
+        let mut value = json!({
+            "kind": mistake.kind.name(), "at": &*mistake.at, "step": mistake.step,
+            "residual": mistake.residual, "explains": mistake.explains, "text": self.says(&mistake.text()),
+            "look": mistake.look().told(self.language),
+        });
+        if let Some(also) = &mistake.also {
+            value["also"] = json!({
+                "kind": also.kind.name(), "at": &*also.at, "step": also.step,
+                "text": self.says(&also.own_text()), "look": also.look().told(self.language),
+            });
+        }
+        value
+    }
 }
 
 fn not_read_json(NotRead { name, why, weight }: &NotRead) -> Value {
@@ -570,50 +621,4 @@ fn not_read_json(NotRead { name, why, weight }: &NotRead) -> Value {
         "name": name, "file": why.file, "line": why.line, "column": why.column, "path": why.path,
         "what": why.what, "mend": why.mend, "marks": { "reached": 0.0, "of": weight },
     })
-}
-
-fn quantity_json(graded: &Graded, symbols: &Symbols) -> Value {
-    let one = |numbers: &[f64]| match numbers {
-        [x] => json!(x),
-        [] => Value::Null,
-        numbers => json!(numbers),
-    };
-    let mut value = json!({
-        "name": graded.name,
-        "unit": graded.unit.symbol,
-        "given": one(&graded.given),
-        "right": one(&graded.right),
-        "tolerance": graded.tolerance,
-        "tolerance_because": graded.because(),
-        "measurable": !matches!(graded.allowed, Allowed::Capped { .. }),
-        "marks": { "reached": graded.reached(), "of": graded.weight },
-        "asked": graded.asked,
-        "verdict": graded.verdict.name(),
-    });
-    if let Some(turn) = graded.turn {
-        value["tolerance_direction_deg"] = json!(turn);
-    }
-    if graded.verdict == Verdict::Wrong {
-        if graded.turn.is_some() {
-            let parts = [("magnitude", graded.amiss.size), ("direction", graded.amiss.direction)];
-            value["wrong_in"] = parts.into_iter().filter(|(_, off)| *off).map(|(part, _)| part).collect();
-        }
-        value["mistakes"] = graded.mistakes.iter().map(|mistake| mistake_json(mistake, symbols)).collect();
-    }
-    value
-}
-
-fn mistake_json(mistake: &Mistake, symbols: &Symbols) -> Value {
-    let mut value = json!({
-        "kind": mistake.kind.name(), "at": mistake.at, "step": mistake.step,
-        "residual": mistake.residual, "explains": mistake.explains, "text": symbols.plain(&mistake.text()),
-        "look": mistake.look(),
-    });
-    if let Some(also) = &mistake.also {
-        value["also"] = json!({
-            "kind": also.kind.name(), "at": also.at, "step": also.step, "text": symbols.plain(&also.own_text()),
-            "look": also.look(),
-        });
-    }
-    value
 }
