@@ -11,6 +11,7 @@ use super::growth::Births;
 use super::notation::Notation;
 use super::panels::{self, Panel, captioned, framed};
 use super::rich::Rich;
+use super::skeleton::Origin;
 use super::speeds::with_speeds_read;
 use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
@@ -19,7 +20,7 @@ use super::{auxiliary, given, growth, human, inertia, positions, results, skelet
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{Act, Construction};
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Nature, Order, Quantity};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 
@@ -194,7 +195,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 /// finds but the position in which the skeleton is drawn.
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
-    question_on(paper(scene), scene, construction, language, &[])
+    question_on(paper(scene), scene, construction, language, None)
 }
 
 /// What an answer of an examination is worth.
@@ -216,13 +217,14 @@ pub fn question_of_exam(
     language: Language,
     marked: &[Marked],
 ) -> Figure {
-    question_on(paper(scene), scene, construction, language, marked)
+    question_on(paper(scene), scene, construction, language, Some(marked))
 }
 
 /// What a question of an examination says of its answers.
 fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     let words = notation.words;
-    if marked.is_empty() {
+    let origin = counted_from(notation);
+    if marked.is_empty() && origin.is_none() {
         return Vec::new();
     }
     let mut items = vec![Item::Head(Rich::bold(words.answers_head))];
@@ -230,9 +232,23 @@ fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     if marked.iter().any(|marked| marked.direction.is_some()) {
         say(Rich::upright(words.count_directions));
     }
+    if let Some(Origin { point, at }) = origin {
+        let point = ("point", notation.point(point));
+        say(match at {
+            [0.0, 0.0] => Rich::fill(words.count_places, &[point]),
+            [x, y] => {
+                let unit = &notation.scene.units.length;
+                let [x, y] = [x, y].map(|metres| human::stated_quantity(metres, unit));
+                Rich::fill(words.count_places_at, &[point, ("x", x), ("y", y)])
+            }
+        });
+    }
     let turns = |marked: &Marked| super::answers::turns(marked.quantity);
     if marked.iter().any(turns) {
         say(Rich::upright(words.count_rotations));
+    }
+    if marked.is_empty() {
+        return items;
     }
     let number = |marks: f64| Rich::upright(short_number(marks));
     let one = |marked: &Marked| {
@@ -256,19 +272,25 @@ fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     items
 }
 
+/// The axes by which the places are handed in that an examination asks.
+fn counted_from(notation: &Notation<'_>) -> Option<Origin> {
+    let places = notation.mechanism().asked.iter().any(|asked| asked.quantity.nature() == Nature::Place);
+    Origin::of(notation.mechanism()).filter(|_| places)
+}
+
 /// Marks as people write them.
 fn short_number(value: f64) -> String {
     let text = format!("{value:.3}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The same as a card, for a screen: one page as high as it needs, without a page number.
+/// The same as a card of a question bank, for a screen: one page as high as it needs, without a page number.
 #[must_use]
 pub fn question_card(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     /// Higher than any question: then it has one page.
     const HIGH: f64 = 20.0;
     let (width, height) = paper(scene);
-    let mut figure = question_on((width, HIGH * height), scene, construction, language, &[]);
+    let mut figure = question_on((width, HIGH * height), scene, construction, language, Some(&[]));
     for page in &mut figure.root.children {
         if let Node::Group(page) = page {
             page.children.retain(|node| !matches!(node, Node::Text(text) if text.class == "page-number"));
@@ -285,11 +307,12 @@ fn question_on(
     scene: &Scene,
     construction: &Construction,
     language: Language,
-    marked: &[Marked],
+    of_exam: Option<&[Marked]>,
 ) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let (skeleton, dimensioned) = asked_skeleton(construction, &notation);
+    let origin = of_exam.and_then(|_| counted_from(&notation));
+    let (skeleton, dimensioned) = asked_skeleton(construction, &notation, origin.as_ref());
     // A turning-moment diagram may have no mechanism.
     let bare = construction.space.places.is_empty();
     let mut drawn = if bare { Vec::new() } else { vec![skeleton] };
@@ -302,7 +325,7 @@ fn question_on(
     pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
     pager.rows(&drawn);
     let mut items = required(&notation);
-    items.extend(of_answers(&notation, marked));
+    items.extend(of_exam.into_iter().flat_map(|marked| of_answers(&notation, marked)));
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();
@@ -342,7 +365,7 @@ pub(super) fn room_of_question(scene: &Scene) -> f64 {
 pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let (block, _) = asked_skeleton(construction, &notation);
+    let (block, _) = asked_skeleton(construction, &notation, None);
     let title = format!("{}: {}", title(scene, words), words.skeleton);
     localised(cut(block.group, title, words.question.to_owned(), words), scene)
 }
@@ -358,7 +381,11 @@ fn asked_curves(construction: &Construction, notation: &Notation<'_>) -> Option<
 }
 
 /// The dimensioned skeleton with its caption, and the points whose places it gives.
-fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Block, Vec<PointId>) {
+fn asked_skeleton(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    from: Option<&skeleton::Origin>,
+) -> (Block, Vec<PointId>) {
     let words = notation.words;
     let unit = match notation.scene.units.length.symbol.as_str() {
         "in" => Rich::upright(words.inches),
@@ -371,7 +398,7 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Bloc
         .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
         .up(&comma)
         .then(&Rich::fill(words.scale, &[("scale", scale)]));
-    let (drawing, dimensioned) = skeleton::question(construction, notation);
+    let (drawing, dimensioned) = skeleton::question(construction, notation, from);
     (captioned(drawing, &[caption]), dimensioned)
 }
 
