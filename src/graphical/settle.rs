@@ -60,14 +60,16 @@ pub(super) fn with_rigid(
         _ => None,
     });
     for quantity in told {
-        let (point, base, rate): (_, _, fn(LinkId) -> Quantity) = match quantity {
-            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega),
-            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha),
+        let (point, base, rate, of): (_, _, fn(LinkId) -> Quantity, _) = match quantity {
+            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega, None),
+            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha, None),
+            Quantity::TurningVelocity(point, base, link) => (point, base, Quantity::Omega, Some(link)),
+            Quantity::TurningTangential(point, base, link) => (point, base, Quantity::Alpha, Some(link)),
             _ => continue,
         };
         let both = |link: &LinkId| {
             let points = &mechanism.link(*link).points;
-            points.contains(&point) && points.contains(&base)
+            of.map_or(points.contains(&point) && points.contains(&base), |of| of == *link)
         };
         let bound = mechanism.moving().filter(both).find_map(|link| zeros.get(&rate(link)).copied());
         if let (Some(bound), Some(a), Some(b)) = (bound, place(point), place(base)) {
