@@ -65,14 +65,22 @@ pub(super) fn with_rigid(
         _ => None,
     });
     for quantity in told {
-        let (point, base, rate): (_, _, fn(LinkId) -> Quantity) = match quantity {
-            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega),
-            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha),
+        let (point, base, rate, of): (_, _, fn(LinkId) -> Quantity, _) = match quantity {
+            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega, None),
+            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha, None),
+            Quantity::TurningVelocity(point, base, link) => (point, base, Quantity::Omega, Some(link)),
+            Quantity::TurningTangential(point, base, link) => (point, base, Quantity::Alpha, Some(link)),
             _ => continue,
         };
-        let links = mechanism.point(point).links.iter().copied();
-        let both = links.filter(|&link| link != LinkId::FRAME && mechanism.link(link).points.contains(&base));
-        let bound = both.filter_map(|link| zeros.get(&rate(link)).copied()).reduce(f64::min);
+        let bound = match of {
+            Some(link) => zeros.get(&rate(link)).copied(),
+            None => {
+                let links = mechanism.point(point).links.iter().copied();
+                let both = links
+                    .filter(|&link| link != LinkId::FRAME && mechanism.link(link).points.contains(&base));
+                both.filter_map(|link| zeros.get(&rate(link)).copied()).reduce(f64::min)
+            }
+        };
         if let (Some(bound), Some(apart)) = (bound, apart(point, base)) {
             zeros.entry(quantity).or_insert(apart * bound);
         }
