@@ -1389,6 +1389,13 @@ pub enum Act {
         /// Start of the image line.
         from: Label,
         /// End of the image line.
+    /// At a rolling contact only the tangential parts count: what lies along the common normal is not drawn.
+    LeaveOutNormals {
+        /// The contact point.
+        contact: PointId,
+        /// The centre of the wheel whose turning is sought.
+        centre: PointId,
+    },
         to: Label,
         /// from→found : from→to, signed.
         ratio: f64,

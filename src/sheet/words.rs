@@ -246,6 +246,8 @@ pub struct Words {
     pub mark_contact: &'static str,
     /// No dyad of a group is solvable alone.
     pub no_dyad_alone: &'static str,
+    /// Of a rolling contact: `{point}`, and along the common normal, `{line}`.
+    pub leave_out_normals: &'static str,
     pub try_position_rod: &'static str,
     pub try_position_guide: &'static str,
     pub try_position_angle: &'static str,
@@ -685,6 +687,7 @@ const ENGLISH: Words = Words {
     no_dyad_alone: "No dyad of this group is solvable alone.",
     try_position_rod: "Turn link {link} by trial; {near} runs along its trial curve. Take the position in which {length} has its given length.",
     try_position_guide: "Turn link {link} by trial; {near} runs along its trial curve. Take the position in which it lies on its guide.",
+    leave_out_normals: "At {point} the tangential parts are equal; the normal parts, all {line}, are left out.",
     try_position_angle: "Turn link {link} by trial. Take the position in which link {driven} has its given angle.",
     try_position_turn: "Turn link {link} by trial. Take the position in which the group closes.",
     try_position_slide: "Move {pin} along its guide by trial. Take the position in which the group closes.",
@@ -1114,6 +1117,7 @@ const ARABIC: Words = Words {
     try_position_turn: "ندير الوصلة {link} بالتجريب. نأخذ الوضع الذي تنغلق فيه المجموعة.",
     try_position_slide: "نحرك {pin} على دليلها بالتجريب. نأخذ الوضع الذي تنغلق فيه المجموعة.",
     try_polygon: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}. تقع الصورة المطلوبة على المستقيم المار من صورتي التجربة {images}.",
+    leave_out_normals: "عند {point} المركبات المماسية متساوية، ونترك كل ما هو {line}.",
     try_polygon_miss: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ من كل منهما بعد صورة {point} عن مستقيمها.",
     try_polygon_rate: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ {given} من كل منهما.",
     try_polygon_roll: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ من كل منهما سرعة انزلاق الجسمين أحدهما على الآخر عند {contact}؛ وهي صفر عند التدحرج بلا انزلاق.",
@@ -1591,6 +1595,7 @@ const PERSIAN: Words = Words {
     try_position_slide: "{pin} را به‌طور آزمایشی روی راهنمایش جابه‌جا می‌کنیم. وضعیتی را می‌گیریم که در آن گروه بسته می‌شود.",
     try_polygon: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. تصویر مطلوب روی خط گذرنده از دو تصویر آزمایشی {images} است.",
     try_polygon_miss: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. از هر یک فاصلهٔ تصویر {point} از خط آن را می‌خوانیم.",
+    leave_out_normals: "در {point} مؤلفه‌های مماسی برابرند؛ هر چه {line} است کنار می‌گذاریم.",
     try_polygon_rate: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. {given} را از هر یک می‌خوانیم.",
     try_polygon_roll: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. از هر یک لغزش دو جسم را روی هم در {contact} می‌خوانیم؛ در غلتش بی‌لغزش صفر است.",
     trial_rate: "از تناسب {rate} = {value}؛ با آن چندضلعی را رسم می‌کنیم.",
