@@ -54,6 +54,7 @@ mod help;
 mod ink;
 mod klein;
 mod laid_off;
+mod lecturers_eye;
 mod legibility;
 #[path = "live/main.rs"]
 mod live;

@@ -445,7 +445,7 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
             if break_before == Some(i) {
                 pager.page();
             }
-            pager.step(column(&piece.items, pager.column(), words), pictures);
+            pager.step(&piece.items, pictures);
             if last_of_centres == Some(i) {
                 let circle = Panel::Circle.block(construction, &notation);
                 pager.rows(&circle.into_iter().collect::<Vec<_>>());
@@ -512,12 +512,12 @@ struct Piece {
 fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Vec<Piece> {
     let mut all: Vec<Piece> = Vec::new();
     for told in told {
-        // A reading leaves nothing on the paper, and a pole alone is no picture.
+        // What is measured leaves nothing on the paper, and a pole alone is no picture.
         let steps = &construction.steps;
         let draws = |act: &usize| {
             let own = steps.get(told.step).and_then(|step| step.acts.get(*act));
             let bare =
-                matches!(own, Some(Act::ReadVector { .. } | Act::MeasureLength { .. } | Act::MarkPole));
+                matches!(own, Some(Act::MeasureLength { .. } | Act::MarkPole | Act::LeaveOutNormals { .. }));
             !bare || !matches!(told.drawn, Some(Panel::Diagram(_)))
         };
         let acts = told.acts.iter().flatten().filter(|act| draws(act)).count();
@@ -639,8 +639,8 @@ impl<'a> Blackboard<'a> {
     }
 }
 
-/// The figures of a film, all of one size: the diagrams as they stand after each step, each in its
-/// place, and the head of the step below them.
+/// The figures of a film, all of one size: the diagrams as they stand after each step, or after so many acts of a longer one
+/// as one picture shows, each in its place, and the head of the step below them.
 #[must_use]
 pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
     let words = language.words();
@@ -677,10 +677,12 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
         below += row.iter().map(|(_, ink)| ink.height()).fold(0.0, f64::max);
     }
     let head = below + 2.0 * TEXT;
-    let last = told.len().saturating_sub(1);
+    let parts = |told| pieces(std::slice::from_ref(told), construction, &births);
+    let shown: Vec<(&Told, Moment)> =
+        told.iter().flat_map(|told| parts(told).into_iter().map(move |piece| (told, piece.upto))).collect();
+    let last = shown.len().saturating_sub(1);
     let mut since: Option<Moment> = None;
-    let frames = told.iter().enumerate().map(|(i, told)| {
-        let upto = Moment { step: told.step, act: usize::MAX };
+    let frames = shown.into_iter().enumerate().map(|(i, (told, upto))| {
         let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
         for ((finished, ink), corner) in finished.iter().zip(&corners) {
             // At the end all is of one colour.
@@ -1354,18 +1356,17 @@ impl Pager {
     }
 
     /// What is said of a step, and its drawings beside it, or above it where they are too wide.
-    fn step(&mut self, text: Block, drawings: &[Block]) {
-        if drawings.is_empty() {
-            return self.block(text);
+    fn step(&mut self, items: &[Item], drawings: &[Block]) {
+        let Some(widest) = drawings.iter().map(|drawing| drawing.width).reduce(f64::max) else {
+            return self.block(column(items, self.column(), self.words));
+        };
+        // Narrow words give way to a wide drawing.
+        let words = (self.width() - GUTTER - widest).min(self.column());
+        if words < NARROWEST_OF_PAIR.min(self.column()) {
+            return self.step_below(items, drawings);
         }
-        // Pictures of one diagram stand below each other, however wide the words beside them are.
-        let words = text.width.max(self.column());
+        let text = column(items, words, self.words);
         let beside = self.width() - GUTTER - words;
-        if drawings.iter().any(|drawing| drawing.width > beside) {
-            // A long text goes on over the page.
-            self.rows(drawings);
-            return self.block(text);
-        }
         let first = drawings.first().map_or(0.0, |drawing| drawing.height);
         if self.y + text.height.max(first) > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
@@ -1384,6 +1385,33 @@ impl Pager {
             self.y += drawing.height + BELOW_ROW;
         }
         self.y = deepest.max(self.y - BELOW_ROW) + self.gap;
+    }
+
+    /// Drawings over the whole width, and below them what is said of them, in the columns of the sheet.
+    fn step_below(&mut self, items: &[Item], drawings: &[Block]) {
+        self.tell(items);
+        let waiting = std::mem::take(&mut self.waiting);
+        let chunks: Vec<Chunk> = waiting.iter().map(|strips| Chunk::of(strips)).collect();
+        let free = self.bottom() - MARGIN;
+        let columns = even_split(&chunks, free, true, self.column_count());
+        let mut left = chunks.iter();
+        let heights =
+            columns.iter().map(|own| left.by_ref().take(*own).map(|chunk| chunk.height).sum::<f64>());
+        let text = heights.fold(0.0, f64::max);
+        // The last drawing and its words stand on one page where they can.
+        let last = drawings.last().map_or(0.0, |drawing| drawing.height);
+        let together = last + BELOW_ROW + text;
+        if drawings.len() == 1 && self.y + together > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        self.rows(drawings);
+        self.waiting = waiting;
+        while !self.waiting.is_empty() {
+            if !self.columns() {
+                self.page();
+            }
+        }
+        self.y += self.gap;
     }
 
     /// Moves the rows of a page apart where the next one does not fit on it: what is left blank is not all below.

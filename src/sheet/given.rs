@@ -225,13 +225,29 @@ pub(super) fn degrees(si: f64, notation: &Notation<'_>) -> Rich {
     }
 }
 
-/// The same as it is written: radians, with degrees beside them.
+/// The same as it is written: radians, with degrees beside them; more than a turn with what a protractor takes of it.
 pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
-    let told = degrees(si, notation);
-    match notation.scene.written.angle_of(si) {
-        Some((own, true)) => human::stated(own).up("\u{a0}rad\u{a0}(").then(&told).up(")"),
-        _ => told,
+    match notation.scene.written.angle_with_turns(si) {
+        Some((own, true)) => {
+            human::stated(own).up("\u{a0}rad\u{a0}(").then(&human::hundredths_of_a_degree(own)).up(")")
+        }
+        Some((own, false)) => with_turns(own),
+        None => with_turns(si),
     }
+}
+
+/// An angle in degrees; of more than a turn the whole turns and the rest: 430° = 360° + 70°.
+fn with_turns(angle: f64) -> Rich {
+    let told = human::degrees(angle);
+    let whole = libm::trunc(angle.abs() / std::f64::consts::TAU * (1.0 + ROUNDED));
+    let rest = angle.abs() - whole * std::f64::consts::TAU;
+    if whole == 0.0 || rest.abs() < ROUNDED {
+        return told;
+    }
+    let sign = if angle < 0.0 { ("−", "\u{a0}−\u{a0}") } else { ("", "\u{a0}+\u{a0}") };
+    let turns = if whole == 1.0 { Rich::default() } else { human::number(whole).up("\u{a0}×\u{a0}") };
+    let turns = Rich::upright(sign.0).then(&turns).up("360°");
+    told.up("\u{a0}=\u{a0}").then(&turns).up(sign.1).then(&human::degrees(rest))
 }
 
 /// The line or the arc on which a figure states a point.
@@ -342,8 +358,15 @@ impl Teller<'_> {
         symbol.up("\u{a0}=\u{a0}").then(value)
     }
 
+    /// A length in the unit in which it is written, and in the scene's where that is another: the steps compute in this.
     fn length(&self, si: f64) -> Rich {
-        human::with_unit(&stated_length(si, self.n), &self.n.scene.units.length.symbol)
+        let usual = &self.n.scene.units.length;
+        let told = human::with_unit(&stated_length(si, self.n), &usual.symbol);
+        let own = self.n.scene.written.unit_of(si, usual);
+        if own == *usual {
+            return told;
+        }
+        human::stated_quantity(si, &own).up("\u{a0}=\u{a0}").then(&told)
     }
 
     fn pair(&self, x: f64, y: f64) -> Rich {
@@ -384,13 +407,15 @@ impl Teller<'_> {
         match (&link.form, &link.points[..]) {
             (Form::Sides { turn, .. }, [a, b, c]) => {
                 let points = self.n.point(*a).then(&self.n.point(*b)).then(&self.n.point(*c));
-                let sense = if *turn == Sense::Ccw { self.n.words.ccw } else { self.n.words.cw };
-                let sense = ("sense", Rich::upright(sense));
-                parts.push(Rich::fill(self.n.words.given_sense, &[("points", points), sense]));
+                let [ccw, cw] = self.n.words.given_sense;
+                let template = if *turn == Sense::Ccw { ccw } else { cw };
+                parts.push(Rich::fill(template, &[("points", points)]));
             }
             (Form::Arms { angle, .. }, [a, b, c]) => {
                 let points = self.n.point(*b).then(&self.n.point(*a)).then(&self.n.point(*c));
-                let value = human::degrees(angle.value.abs()).word(self.n.sense(angle.value));
+                let written = self.n.scene.written.angle_with_turns(angle.value);
+                let own = written.map_or(angle.value, |(own, _)| own);
+                let value = human::degrees(own.abs()).word(self.n.sense(own));
                 parts.push(self.equals(Rich::upright("∠\u{a0}").then(&points), &value));
             }
             (Form::Shape(places), points) => {
@@ -465,7 +490,7 @@ impl Teller<'_> {
                 return Rich::fill(words.stated_arc, &[("centre", named(centre)), radius]);
             }
             Path::Straight { through, direction: Direction::Angle(angle), turned, offset } => {
-                let angle = ("angle", human::degrees(angle.value + turned.value));
+                let angle = ("angle", as_written(angle.value + turned.value, self.n));
                 (Rich::fill(words.stated_line, &[("place", named(through)), angle]), None, offset)
             }
             Path::Straight { through, direction: Direction::Toward(target), turned, offset } => {
@@ -480,7 +505,7 @@ impl Teller<'_> {
         };
         let told = match turned {
             Some(turned) => {
-                let angle = ("angle", human::degrees(turned.value));
+                let angle = ("angle", as_written(turned.value, self.n));
                 told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
             }
             None => told,
@@ -530,7 +555,7 @@ impl Teller<'_> {
                     let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
                     let own = turned_from(direction, turned.value);
                     let along = libm::sin(own).abs() < ROUNDED;
-                    let aside = || Rich::fill(words.given_turned, &[("angle", human::degrees(own))]);
+                    let aside = || Rich::fill(words.given_turned, &[("angle", as_written(own, self.n))]);
                     let told = if along { told } else { told.up(" ").then(&aside()) };
                     return Some(self.offset(told, offset.value));
                 }
@@ -572,7 +597,7 @@ impl Teller<'_> {
                 if turned.value == 0.0 {
                     told
                 } else {
-                    let angle = ("angle", human::degrees(turned.value));
+                    let angle = ("angle", as_written(turned.value, self.n));
                     told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
                 }
             }
@@ -623,7 +648,7 @@ impl Teller<'_> {
             return None;
         };
         let told = offset.value == 0.0 && self.n.mechanism().inputs.iter().any(placed);
-        let angle = human::degrees(angle.value + turned.value);
+        let angle = as_written(angle.value + turned.value, self.n);
         told.then(|| [("place", place_of(through, self.n)), ("angle", angle)])
     }
 
@@ -698,7 +723,7 @@ impl Teller<'_> {
             && let Direction::Angle(angle) = direction
         {
             let own = angle.value + turned.value;
-            let angle = ("angle", human::degrees(own));
+            let angle = ("angle", as_written(own, self.n));
             let place = ("place", place_of(through, self.n));
             let level = libm::sin(own).abs() < ROUNDED;
             let template = if level { words.given_rail_level } else { words.given_rail };

@@ -158,7 +158,8 @@ pub fn apart(
     births: &Births<'_>,
 ) -> (Group, Vec<Request>) {
     let mut group = Group::new("skeleton");
-    let mut artist = Artist { births: Some(births), ..Artist::new(construction, notation) };
+    // What moves keeps every point, wherever it lies.
+    let mut artist = Artist { births: Some(births), far: Vec::new(), ..Artist::new(construction, notation) };
     artist.links_and_joints(&mut group, true);
     let known = artist.known_rotations();
     artist.rotations(&mut group, known, true);
@@ -248,6 +249,8 @@ pub(super) struct Artist<'a> {
     pub(super) labels: Vec<Request>,
     /// Fuller texts for some of the labels, by index: taken where all of them find room.
     fuller: Vec<(usize, Rich)>,
+    /// Centres of arcs that are not on the paper: an arrow leads there.
+    pub(super) far: Vec<PointId>,
     /// When its ink came onto the paper, where that is asked for.
     births: Option<&'a Births<'a>>,
 }
@@ -272,6 +275,7 @@ impl<'a> Artist<'a> {
             slots: Vec::new(),
             labels: Vec::new(),
             fuller: Vec::new(),
+            far: construction.far_centres(notation.mechanism()),
             births: None,
         };
         artist.bars = artist.all_bars();
@@ -751,7 +755,7 @@ impl Artist<'_> {
         let mechanism = self.notation.mechanism();
         for (i, point) in mechanism.points.iter().enumerate() {
             let id = PointId(i);
-            let Some(at) = self.pose.place(id) else { continue };
+            let Some(at) = self.pose.place(id).filter(|_| !self.far.contains(&id)) else { continue };
             let pinned = mechanism.pins.iter().any(|p| p.point == id);
             let rides =
                 mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
