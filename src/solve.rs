@@ -34,7 +34,7 @@ pub struct Solved {
     pub structure: Structure,
     /// The steps that were needed.
     pub plan: Plan,
-    /// The scales of the page.
+    /// The scales of the page; where only numbers were asked for, those of the board.
     pub scales: Scales,
     /// The graphical solution.
     pub solution: Solution,
@@ -145,7 +145,7 @@ pub fn solve(
 /// # Errors
 /// See [`SolveError`].
 pub fn solve_numbers(scene: &Scene, settings: Settings) -> Result<Solved, SolveError> {
-    solve_with(scene, Extent::Asked, &[], settings, |_, extents| extents.filling(100.0))
+    solve_on(None, scene, Extent::Asked, &[], settings)
 }
 
 /// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked, and with
@@ -160,6 +160,20 @@ pub fn solve_with(
     settings: Settings,
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
+    solve_on(Some(&choose), scene, extent, auxiliary, settings)
+}
+
+/// How the scales of a page are chosen for a scene whose diagrams are so large.
+type Page<'a> = &'a dyn Fn(&Scene, Extents) -> Scales;
+
+/// Solves for a page, or without one for numbers.
+fn solve_on(
+    page: Option<Page<'_>>,
+    scene: &Scene,
+    extent: Extent,
+    auxiliary: &[Auxiliary],
+    settings: Settings,
+) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
     // Other positions are for figures.
     let (inputs, assembly): (&[f64], bool) = match extent {
@@ -167,9 +181,13 @@ pub fn solve_with(
         _ => (&scene.sheet.positions, scene.sheet.other_assembly),
     };
     let others = sweep::other_positions(&scene.mechanism, inputs, assembly)?;
+    let scales_for = page.map(|choose| {
+        let others = &others;
+        move |extents: Extents| choose(scene, extents.with(others))
+    });
+    let scales_for = scales_for.as_ref().map(|choose| choose as &dyn Fn(Extents) -> Scales);
     let draw = |plan: &Plan| {
-        let page = |extents: Extents| choose(scene, extents.with(&others));
-        graphical::solution(settings.arithmetic, &scene.mechanism, &structure, (plan, extent), page)
+        graphical::solution(settings.arithmetic, &scene.mechanism, &structure, (plan, extent), scales_for)
     };
     let plan_from = |source, left_out: &BTreeSet<usize>| {
         Plan::leaving_out(&scene.mechanism, &structure, extent, source, auxiliary, left_out)
@@ -190,7 +208,7 @@ pub fn solve_with(
         (scales, solution) = draw(&plan)?;
     }
     let exactly = |exact: &Mechanism| {
-        graphical::solution(settings.arithmetic, exact, &structure, (&plan, extent), |_| scales)
+        graphical::solution(settings.arithmetic, exact, &structure, (&plan, extent), None)
     };
     open_by_room(&scene.mechanism, &mut solution, exactly);
     unknown_places(&scene.mechanism, &mut solution);

@@ -239,7 +239,7 @@ fn a_sheet_that_lies_turned_is_named_and_its_drawing_graded() {
     {
         let report = graded(&slider(), &drawn(turned, true, 0.0));
         let mistake = &report.first_fault().unwrap().mistakes[0];
-        assert_eq!((mistake.kind, mistake.at.as_str()), (Kind::FigureTurned, at), "{}", report.to_text());
+        assert_eq!((mistake.kind, &*mistake.at), (Kind::FigureTurned, at), "{}", report.to_text());
         let wrong = report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong).count();
         assert_eq!(wrong, 1, "{}", report.to_text());
     }

@@ -370,3 +370,61 @@ fn a_short_vector_far_from_the_pole_is_confirmed() {
     let scene = common::read(text);
     confirm(&scene, &whole(&scene)).unwrap();
 }
+
+/// A bar that is driven slides over a pin of a crank, with a joint of its own on a guide of the frame. What its turning gives
+/// that joint is ω times the distance from the point of the bar *under* the pin, which is not the pin's velocity against the
+/// joint; and the sheet that called it so was refused.
+#[test]
+fn what_a_bar_turns_about_the_point_under_a_pin_is_no_velocity_against_the_pin() {
+    let omega = 3.0;
+    let (mut scenes, mut laid_off) = (0, 0);
+    for (block, standing) in [(false, false), (true, true), (true, false), (false, true)] {
+        // The angle of the bar, its distance from the pin, and how far along the bar its joint is from the pin's foot.
+        for [angle, aside, along] in
+            [[0.0, 25.0, 0.0], [0.0, 25.0, 7.0], [31.7, 23.9, 0.0], [-58.3, 11.3, 13.7]]
+        {
+            let (sin, cos) = libm::sincos(f64::to_radians(angle));
+            let pin = [18.0, 24.0];
+            let joint = [pin[0] - along * cos + aside * sin, pin[1] - along * sin - aside * cos];
+            let blocks = if block { [r#", "block": 7"#, r#", "block": 8"#] } else { ["", ""] };
+            let (fixed, crank, turns, name) = if standing {
+                (r#", "I": [18, 24]"#, "", "", "v(G@6/I@6)")
+            } else {
+                (
+                    "",
+                    r#""2": { "joins": ["O2", "I"], "length": 30 },"#,
+                    r#"{ "link": 2, "angle": 53.13010235415598, "omega": 2 },"#,
+                    "v(G@6/I@6)",
+                )
+            };
+            let text = format!(
+                r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] {fixed} }},
+                "links": {{ {crank} "6": {{ "joins": ["G", "K"], "length": 50 }} }},
+                "slides": [ {{ "pin": "I" {}, "on": {{ "link": 6, "through": "G", "offset": {aside} }} }},
+                            {{ "pin": "G" {}, "on": {{ "link": 1, "through": [{}, {}], "angle": 70 }} }} ],
+                "near": {{ "G": [{}, {}] }},
+                "inputs": [ {turns} {{ "link": 6, "angle": {angle}, "omega": {omega}, "alpha": 1 }} ] }}"#,
+                blocks[0], blocks[1], joint[0], joint[1], joint[0], joint[1]
+            );
+            let scene = linkgram::scene::read(&text, "bar.json").unwrap_or_else(|e| panic!("{e}\n{text}"));
+            let solved = whole(&scene);
+            if let Err(why) = confirm(&scene, &solved) {
+                panic!("{why}\n{text}");
+            }
+            let polygon = &solved.solution.construction.diagrams[0];
+            let named =
+                |v: &&linkgram::graphical::construction::Vector| v.quantity.name(&scene.mechanism) == name;
+            for vector in polygon.vectors.iter().filter(named) {
+                let [dx, dy] = [0, 1].map(|axis| (vector.to[axis] - vector.from[axis]) * polygon.si_per_mm);
+                let apart = [joint[0] - pin[0], joint[1] - pin[1]].map(|mm| mm / 1000.0);
+                assert!(
+                    (dx + omega * apart[1]).abs() < 1e-12 && (dy - omega * apart[0]).abs() < 1e-12,
+                    "{dx} {dy}"
+                );
+                laid_off += 1;
+            }
+            scenes += 1;
+        }
+    }
+    assert!(scenes == 16 && laid_off > 8, "{scenes} {laid_off}");
+}

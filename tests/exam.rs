@@ -15,7 +15,7 @@ use linkgram::check::{Outcome, check};
 use linkgram::exam::{self, Drawn, ExamError, Flaw, Terms};
 use linkgram::mechanism::quantity::Answer;
 use linkgram::scene::Scene;
-use linkgram::sheet::Language;
+use linkgram::sheet::{Figure, Language};
 use linkgram::solve::solve_analytically;
 use roxmltree::{Document, Node};
 
@@ -646,6 +646,38 @@ fn the_answers_of_another_variant_are_told() {
             let report = grade::grade(&graded_as.scene, &answers, &GradeSettings::default()).unwrap();
             assert!(report.to_text().contains("answers of variant"), "{name}");
             assert!(report.quantities.iter().all(|graded| graded.verdict != Verdict::Consistent), "{name}");
+        }
+    }
+}
+
+/// Whoever hands in a place has to know from where it is counted: the sheet has the axes, and says so.
+#[test]
+fn a_question_of_places_shows_its_axes() {
+    let scene = |pivot: &str, find: &str| {
+        common::read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": {pivot}, "O4": [150, 30] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }}, "3": {{ "joins": ["A", "B"], "length": 110 }},
+                        "4": {{ "joins": ["O4", "B"], "length": 80 }} }},
+            "near": {{ "B": [150, 110] }}, "input": {{ "link": 2, "angle": 65, "omega": 10 }}, "find": [{find}] }}"#
+        ))
+    };
+    let lines = |figure: &Figure| crate::legibility::sentences(figure).join(" ").replace('\u{a0}', " ");
+    for language in Language::ALL {
+        for (pivot, find, asks) in [
+            ("[0, 0]", "\"x(B)\"", true),
+            ("[30, 20]", "\"I(1,3)\", \"omega(3)\"", true),
+            ("[30, 20]", "\"v(B)\"", false),
+        ] {
+            let scene = scene(pivot, find);
+            for figure in [exam::question(&scene, language).unwrap(), exam::card(&scene, language).unwrap()] {
+                let svg = linkgram::render::svg::write(&figure);
+                assert_eq!(svg.contains("class=\"axes\""), asks, "{pivot} {find}");
+                if language == Language::English && asks {
+                    let wanted =
+                        if pivot == "[0, 0]" { "coordinates of places from O" } else { "at (30 mm, 20 mm)" };
+                    assert!(lines(&figure).contains(wanted), "{}", lines(&figure));
+                }
+            }
         }
     }
 }

@@ -148,6 +148,32 @@ fn what_governors_refuse() {
     assert!(refusal(&without).contains("nothing has a mass"), "{}", refusal(&without));
 }
 
+/// Where the position of a governor has no speed of equilibrium for one of the two ways, there is no controlling force to
+/// lead over the range, and no number of another column in its place: the axis lies aslant to the sleeve's guide.
+#[test]
+fn a_governor_without_a_speed_is_none() {
+    for angle in [10, 30, 45, 90] {
+        let axis = format!(r#""axis": {{ "through": [0, 0], "angle": {angle} }}"#);
+        let scene = read(
+            &r#"{ "units": { "length": "mm", "stiffness": "N/mm" }, "fixed": { "O": [110, 0] },
+                "placed": { "B": [110, 120], "D": [30, 0], "S": [0, 0] },
+                "links": { "2": { "joins": ["O", "B", "D"] }, "3": { "joins": ["S"] } },
+                "slides": [
+                    { "link": 3, "on": { "link": 1, "through": [0, 0], "angle": 90 }, "drag": 30 },
+                    { "pin": "D", "block": 4, "on": { "link": 3, "through": "S", "turned": -90 } }
+                ],
+                "input": { "slide": 3 }, "masses": { "2": { "mass": 1.8, "at": "B" } },
+                "springs": [{ "name": "k", "between": [{ "link": 3, "at": "S" }, { "link": 1, "at": [0, 150] }],
+                    "stiffness": 18, "free": 200 }],
+                "spin": { AXIS, "omega": "?", "balls": 2, "sleeve": 3 },
+                "find": ["spin(rising)", "spin(falling)"] }"#
+                .replace("AXIS", &axis),
+        );
+        let governed = linkgram::solve::governed(&scene.mechanism, None).unwrap();
+        assert_eq!(governed.is_some(), angle == 90, "{angle}");
+    }
+}
+
 #[test]
 fn governors_are_drawn() {
     for stem in ["forces/s000-ch5-3a", "forces/s000-ch5-3b", "forces/s000-ch5-5a"] {

@@ -687,3 +687,25 @@ fn a_driven_cylinder_on_a_crank() {
         assert!((given + 30.0 * vx - 50.0 * vy).abs() < 1e-9 * 100.0, "{given}\n{text}");
     }
 }
+
+/// A bar slides on a lever without turning; it is led by a crank at its second joint, so that the lever is not solved by the
+/// point of it under the first. The parts of that point's acceleration are −ω² r and α × r about the lever's pivot.
+#[test]
+fn parts_of_the_acceleration_under_a_rider_that_leads_nothing() {
+    for (offset, turned) in [(5.0, 20.0), (0.0, 20.0), (-8.0, 35.0)] {
+        let drawn = confirmed(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O3": [60, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "K"], "length": 80 }}, "5": {{ "joins": ["D", "P"], "length": 30 }},
+                        "3": {{ "joins": ["O3", "P"], "length": 25 }} }},
+            "slides": [ {{ "link": 5, "turned": {turned},
+                           "on": {{ "link": 2, "through": "O2", "toward": "K", "offset": {offset} }} }} ],
+            "near": {{ "D": [40, 10], "P": [70, 24], "K": [75, 20] }},
+            "input": {{ "link": 3, "angle": 70, "omega": 2, "alpha": 1 }},
+            "find": ["an(D@2)", "at(D@2)", "x(D)", "omega(2)", "alpha(2)"] }}"#
+        ));
+        let (at, _) = drawn.vector("x(D)");
+        let ((omega, _), (alpha, _)) = (drawn.scalar("omega(2)"), drawn.scalar("alpha(2)"));
+        vector(&drawn, "an(D@2)", at.map(|c| -omega * omega * c));
+        vector(&drawn, "at(D@2)", [-alpha * at[1], alpha * at[0]]);
+    }
+}

@@ -44,6 +44,12 @@ const RADIANS: &str = r#"{"units": {"length": "mm", "angle": "rad"}, "fixed": {"
     "input": {"link": 2, "angle": 1.05, "omega": "450 rpm cw"},
     "loads": [{"name": "P", "on": 4, "force": "2 kN", "direction": 3.141592653589793}], "find": ["v(B)", "T(2)"]}"#;
 
+/// Lengths in inches in a scene of feet, an angle of more than a turn, a triangle by its sides.
+const OTHER_UNITS: &str = r#"{"units": {"length": "ft"}, "fixed": {"O2": [0, 0], "O4": [2, 0]},
+    "links": {"2": {"joins": ["O2", "A"], "length": "9 in"}, "3": {"joins": ["A", "B", "E"], "sides": [1.75, 1, 1.25],
+    "turn": "ccw"}, "4": {"joins": ["O4", "B"], "length": 1.5}},
+    "near": {"B": [1.8, 1.4]}, "input": {"link": 2, "angle": 430, "omega": "60 rpm ccw"}, "find": ["omega(3)", "v(E)"]}"#;
+
 fn drawn(text: &str, question: bool) -> Figure {
     let scene = common::read(text);
     let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
@@ -213,4 +219,23 @@ fn guides_beside_places_and_arcs_can_be_drawn() {
     assert!(["140", "60", "R 50"].iter().all(|own| shown.iter().any(|s| s == own)), "{shown:?}");
     let told = self::told(&drawn(&arc, false));
     assert!(told.contains("toward the centre of the arc"), "{told}");
+}
+
+/// A number stands as its author wrote it, with what the steps compute with beside it; a drawing board has no more than a turn.
+#[test]
+fn a_length_in_another_unit_and_more_than_a_turn_stand_as_they_are_written() {
+    for question in [true, false] {
+        let told = told(&drawn(OTHER_UNITS, question));
+        assert!(told.contains("O2A = 9 in = 0.75 ft"), "{told}");
+        assert!(told.contains("θ2 = 430° = 360° + 70°"), "{told}");
+        assert!(told.contains("triangle ABE, lettered counter-clockwise"), "{told}");
+        assert!(question || told.contains("at 70°"), "{told}");
+    }
+    for (stated, told_as) in [("1500", "θ2 = 1500° = 4 × 360° + 60°"), ("-430", "θ2 = −430° = −360° − 70°")]
+    {
+        let text = OTHER_UNITS.replace("430", stated).replace("[1.8, 1.4]", "[1.8, -1.4]");
+        let near = if stated == "1500" { text.replace("-1.4", "1.4") } else { text };
+        let told = told(&drawn(&near, true));
+        assert!(told.contains(told_as), "{told}");
+    }
 }

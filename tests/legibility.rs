@@ -83,7 +83,7 @@ pub(crate) fn within(group: &Group) -> Vec<&Group> {
     all
 }
 
-fn marks(group: &Group) -> impl Iterator<Item = &Mark> {
+pub(crate) fn marks(group: &Group) -> impl Iterator<Item = &Mark> {
     group.children.iter().filter_map(|node| match node {
         Node::Mark(mark) => Some(mark),
         _ => None,
@@ -91,7 +91,7 @@ fn marks(group: &Group) -> impl Iterator<Item = &Mark> {
 }
 
 /// Tail and tip of a drawn vector.
-fn ends(vector: &Group) -> Option<(Point, Point)> {
+pub(crate) fn ends(vector: &Group) -> Option<(Point, Point)> {
     let tail = marks(vector).find_map(|mark| match mark.shape {
         Shape::Line(from, _) if mark.class == "shaft" => Some(from),
         _ => None,

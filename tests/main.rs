@@ -41,9 +41,11 @@ mod friction;
 mod goldens;
 mod grade;
 mod grade_follows;
+mod grade_language;
 mod grade_names;
 mod grade_room;
 mod grade_skeleton;
+mod grade_unread;
 mod groups;
 #[path = "hard/main.rs"]
 mod hard;
@@ -52,6 +54,7 @@ mod help;
 mod ink;
 mod klein;
 mod laid_off;
+mod lecturers_eye;
 mod legibility;
 #[path = "live/main.rs"]
 mod live;
@@ -80,6 +83,7 @@ mod sweep_trials;
 mod tapes;
 mod the_drawing_is_the_computation;
 mod told;
+mod two_faults;
 
 /// A file that no line names would be compiled and run by nobody.
 #[test]

@@ -8,31 +8,7 @@ use std::collections::BTreeMap;
 use linkgram::grade::{self, Verdict};
 use linkgram::scene;
 
-type Xy = [f64; 2];
-
-fn plus(a: Xy, b: Xy) -> Xy {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn minus(a: Xy, b: Xy) -> Xy {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn times(a: Xy, k: f64) -> Xy {
-    [a[0] * k, a[1] * k]
-}
-
-fn cross(a: Xy, b: Xy) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn unit(angle: f64) -> Xy {
-    [libm::cos(angle), libm::sin(angle)]
-}
-
-fn size(a: Xy) -> f64 {
-    libm::hypot(a[0], a[1])
-}
+use crate::common::plane::{Xy, cross, long as size, minus, plus, times, unit};
 
 /// Dice.
 struct Dice(u64);

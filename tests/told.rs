@@ -8,6 +8,7 @@ use crate::legibility::{all, characters, data, has, number, sentences, within};
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
+use linkgram::drawing;
 use linkgram::plan::Extent;
 use linkgram::sheet::figure::{Group, Node, Text};
 use linkgram::sheet::{self, Figure, Language};
@@ -307,6 +308,130 @@ fn a_driven_slide_on_a_moving_link_is_given_against_it() {
     let given = within(&figure.root).into_iter().flat_map(texts).filter(|text| text.class == "given");
     let given: String = given.map(|text| characters(text) + " ").collect();
     assert!(given.replace('\u{a0}', " ").contains("V_A2A3 = 60"), "{given}");
+}
+
+/// A rod runs through a sleeve that swivels on the frame: what its turning gives to its point in the sleeve is told against
+/// the joint about which it turns. Taken for the whole vector of that point, of which the sheet tells as well, the equation
+/// would not close: V_E4 = 0 = V_A + V_E3A + V_E4E3, and V_E3 = V_A + V_E3A.
+#[test]
+fn what_turning_gives_is_told_against_the_joint_about_which_it_turns() {
+    let scene = common::read(
+        r#"{
+            "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "E": [22, -4] },
+            "links": {
+                "2": { "joins": ["O2", "A"], "length": 8 }, "3": { "joins": ["A", "B"], "length": 34 }
+            },
+            "slides": [{ "pin": "E", "block": 4, "on": { "link": 3, "through": "A", "toward": "B" } }],
+            "near": { "B": [32, -10] },
+            "input": { "link": 2, "angle": 105, "omega": "12 rad/s ccw" }, "find": ["omega(3)", "alpha(3)"]
+        }"#,
+    );
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+    let heads: Vec<Vec<String>> = within(&figure.root)
+        .into_iter()
+        .filter(|group| has(group, "terms"))
+        .filter_map(|table| rows(table).into_iter().next())
+        .map(|row| {
+            row.into_iter().map(|(_, text)| text).filter(|text| !"=+".contains(text.as_str())).collect()
+        })
+        .collect();
+    assert_eq!(heads.len(), 2, "{heads:?}");
+    assert_eq!(heads[0], ["V_E4", "V_A", "V_E3A", "V_E4E3"]);
+    let accelerations = heads[1].join(" ");
+    for part in ["A^n_E3A", "A^t_E3A"] {
+        assert!(accelerations.contains(part), "{accelerations}");
+    }
+}
+
+/// On a question an arrow shows which way a slide is driven: what is told is how fast, without a sign that would turn the arrow
+/// about, and the acceleration is told by the arrow.
+#[test]
+fn the_arrow_of_a_question_is_not_turned_about_by_a_sign() {
+    let told = |velocity: &str, acceleration: &str| {
+        let scene = common::read(&format!(
+            r#"{{
+                "units": {{ "length": "cm" }}, "fixed": {{ "W": [0, 0] }},
+                "links": {{ "3": {{ "joins": ["A", "B"], "length": 40 }} }},
+                "slides": [
+                    {{ "pin": "A", "block": 2, "on": {{ "link": 1, "through": "W", "angle": 0 }} }},
+                    {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "W", "angle": 110 }} }}
+                ],
+                "near": {{ "B": [-7, 20], "A": [30, 0] }},
+                "input": {{ "slide": "A", "at": 27, "velocity": {velocity}, "acceleration": {acceleration} }},
+                "find": ["v(B)", "a(B)"]
+            }}"#
+        ));
+        let wish = drawing::Wish { kind: drawing::Kind::Question, ..drawing::Wish::default() };
+        let figure = drawing::figure(&scene, &wish).unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+        let given = within(&figure.root).into_iter().flat_map(texts).filter(|text| text.class == "given");
+        given.map(|text| characters(text) + " ").collect::<String>().replace('\u{a0}', " ")
+    };
+    let back = told("-20", "-15");
+    assert!(back.contains("V_A = 20 cm/s, A_A = 15 cm/s² in the sense of V_A"), "{back}");
+    let slower = told("-20", "15");
+    assert!(slower.contains("V_A = 20 cm/s, A_A = 15 cm/s² against V_A"), "{slower}");
+    let steady = told("20", "0");
+    assert!(steady.contains("V_A = 20 cm/s (constant)") && !steady.contains("A_A ="), "{steady}");
+}
+
+/// A crank is square to the rack that it carries: the rack does not turn, and what is zero but for its roundings is told as
+/// zero. ω4 = V_A / O4A = 5 · 40 / 40 rad/s, against the crank.
+#[test]
+fn a_rack_that_does_not_turn_has_no_digits_of_rounding() {
+    let scene = common::read(
+        r#"{
+            "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 0] },
+            "links": {
+                "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "R"] },
+                "4": { "joins": ["O4", "Q"], "length": 30 }
+            },
+            "placed": { "A": [0, 40], "R": [250, 40], "Q": [150, 30] },
+            "rolls": [{
+                "links": [4, 3], "line": { "link": 3, "through": "A", "toward": "R" }, "centre": "O4",
+                "radius": 40
+            }],
+            "input": { "link": 2, "angle": 90, "omega": "5 rad/s ccw" }, "find": ["omega(4)", "alpha(4)", "omega(3)"]
+        }"#,
+    );
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+    let lines = sentences(&figure);
+    let noise: Vec<&String> =
+        lines.iter().filter(|line| line.contains("10^−") || line.contains("× 10−")).collect();
+    assert!(noise.is_empty(), "{noise:#?}");
+    let rate = lines.iter().find(|line| line.starts_with("ω_3\u{a0}= ")).unwrap();
+    assert!(rate.ends_with("= 0\u{a0}rad/s"), "{rate}");
+}
+
+/// Which of three links holds a rubbing pin decides what rubs on it, and with that every force: it is given with the pin.
+#[test]
+fn the_link_that_holds_a_rubbing_pin_is_given() {
+    let scene = common::read(
+        r#"{
+            "units": { "length": "mm" }, "fixed": { "O2": [-180, 40], "O4": [0, 160] },
+            "links": {
+                "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 150 },
+                "4": { "joins": ["O4", "B"], "length": 130 }, "5": { "joins": ["B", "C"], "length": 140 }
+            },
+            "slides": [{ "pin": "C", "block": 6, "on": { "link": 1, "through": "O4", "angle": -90 } }],
+            "near": { "B": [-25, 32], "C": [0, -108] },
+            "input": { "link": 2, "angle": 20, "omega": "2 rad/s ccw" },
+            "pins": {
+                "B": { "carrier": 4, "radius": 20, "f": 0.1 }, "O2": { "radius": 20, "f": 0.1 }
+            },
+            "loads": [{ "name": "P", "on": 6, "force": "20 kN", "direction": 90 }], "find": ["T(2)"]
+        }"#,
+    );
+    for kind in [drawing::Kind::Question, drawing::Kind::Solution] {
+        let wish = drawing::Wish { kind, ..drawing::Wish::default() };
+        let figure = drawing::figure(&scene, &wish).unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+        let given = within(&figure.root).into_iter().flat_map(texts).filter(|text| text.class == "given");
+        let given = given.map(|text| characters(text) + " ").collect::<String>().replace('\u{a0}', " ");
+        assert!(given.contains("the pin at B is fixed in link 4"), "{given}");
+        // A pin of two links may be either's.
+        assert!(!given.contains("the pin at O"), "{given}");
+    }
 }
 
 /// Weights in pounds on a four-bar linkage, with its radii of gyration.

@@ -83,6 +83,9 @@ impl State {
             }
             Quantity::CoincidentNormal(p, link) => self.coincident_part(p, link, true),
             Quantity::CoincidentTangential(p, link) => self.coincident_part(p, link, false),
+            Quantity::TurningVelocity(p, o, link) => self.turned_against(p, link, o),
+            Quantity::TurningNormal(p, o, link) => self.part_about(p, link, o, true),
+            Quantity::TurningTangential(p, o, link) => self.part_about(p, link, o, false),
             Quantity::ContactNormal(p, a, b) => {
                 let spot = self.spot(p, a)?;
                 self.vector(2, self.unit(1, 2), |s| {
@@ -291,6 +294,16 @@ impl State {
             .and_then(|()| self.check(&Quantity::Coriolis(from, link)))
             .and_then(|()| self.part_about(pin, link, from, normal))
             .unwrap_or_else(Answer::Indeterminate)
+    }
+
+    /// ω × r, r from the point of a link that lies under one pin to that which lies under another.
+    fn turned_against(&self, pin: PointId, link: LinkId, from: PointId) -> Read {
+        let (spot, centre) = (self.spot(pin, link)?, self.spot(from, link)?);
+        self.vector(1, self.unit(1, 1), |s| {
+            let [x, y] = difference(parts(spot.place(s), 0), parts(centre.place(s), 0));
+            let omega = s.angle(link.0).d;
+            [-(y * omega), x * omega]
+        })
     }
 
     fn part_about(&self, pin: PointId, link: LinkId, from: PointId, normal: bool) -> Read {

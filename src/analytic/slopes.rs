@@ -107,7 +107,7 @@ impl Calculus for Slope {
     }
 
     fn wrapped(self) -> Self {
-        let turns = (self.value / std::f64::consts::TAU).round();
+        let turns = (self.value / std::f64::consts::TAU - 0.5).ceil();
         Self { value: self.value - turns * std::f64::consts::TAU, ..self }
     }
 }

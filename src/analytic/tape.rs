@@ -236,7 +236,8 @@ impl<'t> Var<'t> {
 
     /// Magnitude.
     pub(super) fn abs(self) -> Self {
-        if self.value < 0.0 { -self } else { self }
+        // Of a zero with its sign, too: a quotient or an angle takes that for a side.
+        if self.value.is_sign_negative() { -self } else { self }
     }
 
     /// The same angle in (−π, π].
@@ -244,9 +245,9 @@ impl<'t> Var<'t> {
         self.wrapped_about(0.0)
     }
 
-    /// The same angle within half a turn of another one, radians.
+    /// The same angle within half a turn of another one, radians, half a turn itself to the left.
     pub(super) fn wrapped_about(self, near: f64) -> Self {
-        let turns = ((self.value - near) / std::f64::consts::TAU).round();
+        let turns = ((self.value - near) / std::f64::consts::TAU - 0.5).ceil();
         let shift = turns * std::f64::consts::TAU;
         if shift == 0.0 { self } else { self - self.tape.rounded(shift, 2.0 * U * shift.abs()) }
     }

@@ -11,17 +11,13 @@
 //! operands' errors, since it is of second order in them: running ones, drawn in by sweeps of their own where
 //! they are too rough for that. All of this is done when somebody asks, operation by operation up to where he asks.
 
-use std::collections::BinaryHeap;
-
-use super::op::{MOST_OPERANDS, OF_PARTIALS, Op};
+use super::op::{Beyond, MOST_OPERANDS, OF_PARTIALS, Op};
 use super::scalar::{Arithmetic, Real};
 use super::sketch::Sketches;
-use super::tape::{Errors, Event, Node, Reason, Role, Tape};
+use super::tape::{Entry, Errors, Event, Node, Reason, Role, Tape};
+use super::waiting::Waiting;
 use crate::double_double::DoubleDouble;
 use crate::wide::Wide;
-
-/// Bits of a word.
-const WORD: usize = u64::BITS as usize;
 
 /// What is known of the error of a result.
 #[derive(Debug, Clone, Copy)]
@@ -91,8 +87,8 @@ pub(super) struct Bounds {
     sketches: Sketches,
     /// A result has asked for every sweep that is worth it.
     is_thorough: bool,
-    /// The slots that a local sweep has still to look at, a bit each.
-    waiting: Vec<u64>,
+    /// The slots that a local sweep has still to look at; none between sweeps.
+    waiting: Waiting,
 }
 
 /// A way to draw operands in, and when it is worth it.
@@ -116,6 +112,43 @@ const SWEEPS: [Sweep; 4] = [
     Sweep { how: DrawnIn::ToWholePoints, of_rounding: 1.0, of_error: 1e-8, of_terms: f64::INFINITY },
     Sweep { how: DrawnIn::Wholly, of_rounding: 8.0, of_error: 1e-6, of_terms: f64::INFINITY },
 ];
+
+impl Sweep {
+    /// Whether what the errors of an operation's operands do to it is worth this sweep; `least` is its rounding, `terms` the
+    /// sum of the sizes of its terms.
+    fn matters(&self, beyond: &Beyond, along: f64, least: f64, terms: f64) -> bool {
+        let of_error = if least > 0.0 && self.how < DrawnIn::Wholly { 0.0 } else { self.of_error };
+        beyond.left_out > self.of_rounding * least + of_error * along
+            || along > self.of_terms * terms && terms > 0.0
+    }
+}
+
+/// Whether running errors may be too rough to measure anything by.
+fn is_rough(beyond: &Beyond, along: f64, least: f64, terms: f64) -> bool {
+    beyond.left_out > SWEEPS[0].of_rounding * least || along > SWEEPS[0].of_terms * terms
+}
+
+/// What the errors of the operands do to a result along the tangent.
+#[inline(always)]
+fn along_tangent(partials: &[f64; MOST_OPERANDS], errors: &[f64; MOST_OPERANDS]) -> f64 {
+    let mut along = 0.0;
+    for k in 0..MOST_OPERANDS {
+        // What does not move it may err without bound.
+        along += if partials[k] == 0.0 { 0.0 } else { partials[k].abs() * errors[k] };
+    }
+    along
+}
+
+/// The rounding of an operation, and the unit roundoff, of another arithmetic than doubles.
+#[inline(never)]
+fn rounding_in(arithmetic: Arithmetic, op: Op, at: [f64; MOST_OPERANDS], value: f64) -> (f64, f64) {
+    match arithmetic {
+        Arithmetic::Single => (op.rounding::<f32>(at, value), f32::UNIT_ROUNDOFF),
+        Arithmetic::Double => (op.rounding::<f64>(at, value), f64::UNIT_ROUNDOFF),
+        Arithmetic::DoubleDouble => (op.rounding::<DoubleDouble>(at, value), DoubleDouble::UNIT_ROUNDOFF),
+        Arithmetic::Wide => (op.rounding::<Wide>(at, value), Wide::UNIT_ROUNDOFF),
+    }
+}
 
 /// From so many operations on the errors of operands are sketched before a sweep goes back for them: the sweeps of a
 /// longer tape would cost more with each operation.
@@ -174,7 +207,7 @@ impl Tape {
     pub fn inherited(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots).zip(&self.nodes);
-        let given = slots.filter(|((_, slot), node)| matches!(node, Node::Leaf(_)) && slot.own > 0.0);
+        let given = slots.filter(|((_, slot), node)| matches!(node.node(), Node::Leaf(_)) && slot.own > 0.0);
         given.map(|(([adjoint], slot), _)| adjoint.abs() * slot.own).sum()
     }
 
@@ -280,12 +313,13 @@ impl Tape {
 
     /// Follows the tape to its end.
     fn evaluate(&mut self) {
+        self.bounds.slots.reserve(self.nodes.len() - self.bounds.slots.len());
         for index in self.bounds.slots.len()..self.nodes.len() {
             self.look_at_events(index);
-            match self.nodes[index] {
+            match self.nodes[index].node() {
                 Node::Leaf(leaf) => {
                     let own = self.leaf_error(leaf);
-                    self.push([0.0; MOST_OPERANDS], own, own);
+                    self.push([0.0; MOST_OPERANDS], own, own, 0.0);
                 }
                 Node::Made(op, of) => self.follow(index, op, of),
             }
@@ -301,15 +335,9 @@ impl Tape {
         }
     }
 
-    fn push(&mut self, partials: [f64; MOST_OPERANDS], own: f64, error: f64) {
-        self.bounds.slots.push(Slot {
-            partials,
-            own,
-            left_out: 0.0,
-            error,
-            point: None,
-            drawn_in: DrawnIn::Not,
-        });
+    #[inline(always)]
+    fn push(&mut self, partials: [f64; MOST_OPERANDS], own: f64, error: f64, left_out: f64) {
+        self.bounds.slots.push(Slot { partials, own, left_out, error, point: None, drawn_in: DrawnIn::Not });
     }
 
     fn look_at_events(&mut self, before: usize) {
@@ -348,66 +376,84 @@ impl Tape {
         }
     }
 
+    #[inline(always)]
     fn follow(&mut self, index: usize, op: Op, of: [u32; MOST_OPERANDS]) {
-        let count = op.operands();
-        let mut at = [0.0; MOST_OPERANDS];
-        for (at, &mark) in at.iter_mut().zip(&of[..count]) {
-            *at = self.values.get(mark as usize).copied().unwrap_or(0.0);
+        // As many rounds for every operation, so that the compiler unrolls them.
+        let (mut at, mut errors) = ([0.0; MOST_OPERANDS], [0.0; MOST_OPERANDS]);
+        for k in 0..MOST_OPERANDS {
+            if k < op.operands() {
+                at[k] = self.values.get(of[k] as usize).copied().unwrap_or(0.0);
+                errors[k] = self.error_of(of[k]);
+            }
         }
         let value = self.values[index];
         let partials = op.partials(at, value);
+        let mut along = along_tangent(&partials, &errors);
         if self.errors != Errors::Roundings {
-            let error = self.along(&partials, &of[..count]);
-            return self.push(partials, 0.0, error);
+            return self.push(partials, 0.0, along, 0.0);
         }
         let (rounding, unit) = match self.arithmetic {
-            Arithmetic::Single => (op.rounding::<f32>(at, value), f32::UNIT_ROUNDOFF),
             Arithmetic::Double => (op.rounding::<f64>(at, value), f64::UNIT_ROUNDOFF),
-            Arithmetic::DoubleDouble => (op.rounding::<DoubleDouble>(at, value), DoubleDouble::UNIT_ROUNDOFF),
-            Arithmetic::Wide => (op.rounding::<Wide>(at, value), Wide::UNIT_ROUNDOFF),
+            other => rounding_in(other, op, at, value),
         };
-        let errors = |tape: &Self| {
+        let mut beyond = op.beyond(&at, &partials, &errors, along);
+        // Products with powers of two are exact, and beside exact numbers nothing is too small to matter.
+        let mut terms = 0.0;
+        for k in 0..MOST_OPERANDS {
+            terms += (partials[k] * at[k]).abs();
+        }
+        let least = rounding.max(unit * terms);
+        if is_rough(&beyond, along, least, terms) || SWEEPS[0].matters(&beyond, along, least, terms) {
+            (along, beyond) = self.drawn_in((index, op, of), &at, &partials, [least, terms], (along, beyond));
+        }
+        let left_out = beyond.left_out;
+        if beyond.has_tangent {
+            let own = rounding + left_out + OF_PARTIALS * along;
+            self.push(partials, own, own + along, left_out);
+        } else {
+            let own = rounding + left_out;
+            self.push([0.0; MOST_OPERANDS], own, own, left_out);
+        }
+    }
+
+    /// Draws in the operands of an operation, as far as it is worth it: what their errors do to it then, along the tangent
+    /// and beyond it. `least` is its rounding, `terms` the sum of the sizes of its terms.
+    #[inline(never)]
+    fn drawn_in(
+        &mut self,
+        (index, op, of): (usize, Op, [u32; MOST_OPERANDS]),
+        at: &[f64; MOST_OPERANDS],
+        partials: &[f64; MOST_OPERANDS],
+        [least, terms]: [f64; 2],
+        (mut along, mut beyond): (f64, Beyond),
+    ) -> (f64, Beyond) {
+        // What was only measured to see that the drawing is right needs no good bound.
+        if self.is_aside(index) {
+            return (along, beyond);
+        }
+        let of = &of[..op.operands()];
+        let again = |tape: &Self| {
             let mut errors = [0.0; MOST_OPERANDS];
-            for (error, &mark) in errors.iter_mut().zip(&of[..count]) {
+            for (error, &mark) in errors.iter_mut().zip(of) {
                 *error = tape.error_of(mark);
             }
-            errors
+            let along = along_tangent(partials, &errors);
+            (along, op.beyond(at, partials, &errors, along))
         };
-        let mut along = self.along(&partials, &of[..count]);
-        let mut beyond = op.beyond(&at, &partials, &errors(self), along);
-        // What was only measured to see that the drawing is right needs no good bound.
-        let sweeps = if self.is_aside(index) { &SWEEPS[..0] } else { &SWEEPS[..] };
-        // Products with powers of two are exact, and beside exact numbers nothing is too small to matter.
-        let terms: f64 = partials.iter().zip(at).map(|(partial, at)| (partial * at).abs()).sum();
-        let least = rounding.max(unit * terms);
-        let is_rough = beyond.left_out > SWEEPS[0].of_rounding * least || along > SWEEPS[0].of_terms * terms;
-        if is_rough && !sweeps.is_empty() && self.sketch(&of[..count]) {
-            along = self.along(&partials, &of[..count]);
-            beyond = op.beyond(&at, &partials, &errors(self), along);
+        if is_rough(&beyond, along, least, terms) && self.sketch(of) {
+            (along, beyond) = again(self);
         }
-        for sweep in sweeps {
-            let of_error = if least > 0.0 && sweep.how < DrawnIn::Wholly { 0.0 } else { sweep.of_error };
-            let matters = beyond.left_out > sweep.of_rounding * least + of_error * along
-                || along > sweep.of_terms * terms && terms > 0.0;
+        for sweep in SWEEPS {
+            let matters = sweep.matters(&beyond, along, least, terms);
             if !matters || beyond.left_out.is_infinite() || !self.may_sweep(index, sweep.how) {
                 break;
             }
-            for &mark in &of[..count] {
+            for &mark in of {
                 self.draw_in(mark, sweep.how);
             }
-            along = self.along(&partials, &of[..count]);
-            beyond = op.beyond(&at, &partials, &errors(self), along);
+            (along, beyond) = again(self);
         }
-        if beyond.has_tangent {
-            let own = rounding + beyond.left_out + OF_PARTIALS * along;
-            self.push(partials, own, own + along);
-        } else {
-            let own = rounding + beyond.left_out;
-            self.push([0.0; MOST_OPERANDS], own, own);
-        }
-        if let Some(slot) = self.bounds.slots.last_mut() {
-            slot.left_out = beyond.left_out;
-        }
+        (along, beyond)
     }
 
     /// Whether a sweep may go back for the operands of an operation: of a long tape none goes through the whole before a
@@ -443,14 +489,6 @@ impl Tape {
         partials.iter().zip(of).map(|(&partial, &mark)| passed_on(partial, mark)).sum()
     }
 
-    /// The operands of a result.
-    fn operands(&self, index: usize) -> &[u32] {
-        match &self.nodes[index] {
-            Node::Leaf(_) => &[],
-            Node::Made(op, of) => &of[..op.operands()],
-        }
-    }
-
     // --- sweeps --------------------------------------------------------------------------------
 
     /// Draws in the errors of some slots of a long tape as far as a sketch can; whether it was asked.
@@ -461,11 +499,7 @@ impl Tape {
         }
         for index in sketches.len()..slots.len() {
             let slot = &slots[index];
-            let operands: &[u32] = match &nodes[index] {
-                Node::Leaf(_) => &[],
-                Node::Made(op, of) => &of[..op.operands()],
-            };
-            sketches.push(slot.own, operands.iter().zip(slot.partials));
+            sketches.push(slot.own, nodes[index].operands().iter().zip(slot.partials));
         }
         for &mark in marks {
             if let Some(slot) = slots.get_mut(mark as usize) {
@@ -489,15 +523,11 @@ impl Tape {
             self.set_drawn_in(mark, error, sweep);
             return;
         }
-        let mut points = Vec::new();
-        let mut between = Vec::new();
-        let mut heap = BinaryHeap::from([mark]);
-        while let Some(index) = heap.pop() {
-            // What is reached twice comes twice in a row.
-            if heap.peek() == Some(&index) {
-                continue;
-            }
-            let slot = &self.bounds.slots[index as usize];
+        let (mut points, mut between) = (Vec::new(), Vec::new());
+        let Self { nodes, bounds: Bounds { slots, waiting, .. }, .. } = self;
+        waiting.add(mark);
+        while let Some(index) = waiting.take_last() {
+            let slot = &slots[index as usize];
             if slot.drawn_in >= sweep || sweep > DrawnIn::ToPoints && index != mark && slot.is_end(sweep) {
                 continue;
             }
@@ -505,7 +535,7 @@ impl Tape {
                 points.push(index);
             } else {
                 between.push(index);
-                heap.extend(self.operands(index as usize));
+                nodes[index as usize].operands().iter().for_each(|&operand| waiting.add(operand));
             }
         }
         points.reverse();
@@ -524,7 +554,7 @@ impl Tape {
         }
         for &index in between.iter().rev() {
             let slot = &self.bounds.slots[index as usize];
-            let error = slot.own + self.along(&slot.partials, self.operands(index as usize));
+            let error = slot.own + self.along(&slot.partials, self.nodes[index as usize].operands());
             self.set_drawn_in(index, error, sweep);
         }
     }
@@ -539,39 +569,25 @@ impl Tape {
     /// A bound of the error of a slot, by a sweep back that ends at points.
     fn error_behind(&mut self, mark: u32, sweep: DrawnIn) -> f64 {
         let Self { nodes, bounds, .. } = self;
-        let Bounds { slots, local, waiting: bits, .. } = bounds;
+        let Bounds { slots, local, waiting, .. } = bounds;
         local.resize(slots.len(), 0.0);
-        bits.resize(slots.len().div_ceil(WORD), 0);
-        let mut word = mark as usize / WORD;
         local[mark as usize] = 1.0;
-        bits[word] = 1 << (mark as usize % WORD);
-        let (mut waiting, mut error) = (1_usize, 0.0);
-        while waiting > 0 {
-            // A slot depends on earlier ones: the last that waits is the next. What is given stands at the very
-            // beginning; the way there must not cost a step for each slot between.
-            let Some(bit) = bits[word].checked_ilog2() else {
-                word -= 1;
+        waiting.add(mark);
+        let mut error = 0.0;
+        while let Some(index) = waiting.take_last() {
+            let adjoint = std::mem::take(&mut local[index as usize]);
+            if adjoint == 0.0 {
                 continue;
-            };
-            bits[word] ^= 1 << bit;
-            waiting -= 1;
-            let index = word * WORD + bit as usize;
-            let adjoint = std::mem::take(&mut local[index]);
-            if adjoint != 0.0 {
-                let slot = &slots[index];
-                if index != mark as usize && slot.is_end(sweep) {
-                    error += adjoint.abs() * slot.error;
-                    continue;
-                }
-                error += adjoint.abs() * slot.own;
-                let Node::Made(op, of) = nodes[index] else { continue };
-                for (&part, partial) in of[..op.operands()].iter().zip(slot.partials) {
-                    let part = part as usize;
-                    local[part] += adjoint * partial;
-                    let (word, bit) = (part / WORD, 1 << (part % WORD));
-                    waiting += usize::from(bits[word] & bit == 0);
-                    bits[word] |= bit;
-                }
+            }
+            let slot = &slots[index as usize];
+            if index != mark && slot.is_end(sweep) {
+                error += adjoint.abs() * slot.error;
+                continue;
+            }
+            error += adjoint.abs() * slot.own;
+            for (&part, partial) in nodes[index as usize].operands().iter().zip(slot.partials) {
+                local[part as usize] += adjoint * partial;
+                waiting.add(part);
             }
         }
         error
@@ -580,46 +596,29 @@ impl Tape {
     /// The same of some slots, by one sweep through the whole tape.
     fn errors_behind(&mut self, marks: &[u32]) -> [f64; LANES] {
         let Self { nodes, bounds, .. } = self;
-        let Bounds { slots, lanes, waiting: bits, .. } = bounds;
+        let Bounds { slots, lanes, waiting, .. } = bounds;
         if lanes.len() < slots.len() {
             lanes.resize(slots.len(), [0.0; LANES]);
         }
-        bits.resize(slots.len().div_ceil(WORD), 0);
-        let (mut word, mut waiting) = (0, 0_usize);
-        let wait = |bits: &mut [u64], slot: usize| {
-            let (word, bit) = (slot / WORD, 1 << (slot % WORD));
-            let new = bits[word] & bit == 0;
-            bits[word] |= bit;
-            new
-        };
         for (lane, &mark) in marks.iter().enumerate() {
             lanes[mark as usize][lane] = 1.0;
-            waiting += usize::from(wait(bits, mark as usize));
-            word = word.max(mark as usize / WORD);
+            waiting.add(mark);
         }
         let mut errors = [0.0; LANES];
-        while waiting > 0 {
-            let Some(bit) = bits[word].checked_ilog2() else {
-                word -= 1;
-                continue;
-            };
-            bits[word] ^= 1 << bit;
-            waiting -= 1;
-            let index = word * WORD + bit as usize;
-            let adjoints = std::mem::take(&mut lanes[index]);
-            let slot = &slots[index];
-            for (error, adjoint) in errors.iter_mut().zip(adjoints) {
-                *error += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
-            }
-            let Node::Made(op, of) = nodes[index] else { continue };
+        while let Some(index) = waiting.take_last() {
+            let adjoints = std::mem::take(&mut lanes[index as usize]);
             if adjoints == [0.0; LANES] {
                 continue;
             }
-            for (&part, partial) in of[..op.operands()].iter().zip(slot.partials) {
+            let slot = &slots[index as usize];
+            for (error, adjoint) in errors.iter_mut().zip(adjoints) {
+                *error += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
+            }
+            for (&part, partial) in nodes[index as usize].operands().iter().zip(slot.partials) {
                 for (to, adjoint) in lanes[part as usize].iter_mut().zip(adjoints) {
                     *to += adjoint * partial;
                 }
-                waiting += usize::from(wait(bits, part as usize));
+                waiting.add(part);
             }
         }
         errors
@@ -639,7 +638,7 @@ impl Tape {
 /// to which of them a slot leads, a bit for each. The lanes are zero before; each slot that leads to a result is given to
 /// `visit` when its adjoints are complete and have been handed on.
 fn sweep<const N: usize>(
-    nodes: &[Node],
+    nodes: &[Entry],
     slots: &[Slot],
     results: &[u32],
     adjoints: &mut Vec<[f64; N]>,
@@ -661,14 +660,12 @@ fn sweep<const N: usize>(
         if leads_to == 0 {
             continue;
         }
-        if let Node::Made(op, of) = nodes[index] {
-            let adjoint = adjoints[index];
-            for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
-                for (to, adjoint) in adjoints[part as usize].iter_mut().zip(adjoint) {
-                    *to += adjoint * partial;
-                }
-                reached[part as usize] |= leads_to;
+        let adjoint = adjoints[index];
+        for (&part, partial) in nodes[index].operands().iter().zip(slots[index].partials) {
+            for (to, adjoint) in adjoints[part as usize].iter_mut().zip(adjoint) {
+                *to += adjoint * partial;
             }
+            reached[part as usize] |= leads_to;
         }
         visit(&slots[index], &mut adjoints[index]);
     }

@@ -21,6 +21,7 @@ mod scalar;
 mod sketch;
 mod tape;
 mod trial;
+mod waiting;
 
 use std::fmt::Debug;
 

@@ -55,13 +55,14 @@ impl Board {
         Some(Num { value, mark })
     }
 
+    #[inline]
     fn in_range(&mut self, mark: u32, finite: bool) {
         if !finite {
             self.tape.divisor(mark, 0.0, TOO_LARGE);
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn make<const N: usize>(&mut self, op: Op, of: [Num; N]) -> Num {
         let (mut marks, mut values) = ([0; MOST_OPERANDS], [0.0; MOST_OPERANDS]);
         for (index, num) in of.iter().enumerate() {

@@ -86,7 +86,7 @@ impl Op {
     }
 
     /// The partial derivatives by the operands; zero where there are none.
-    #[inline]
+    #[inline(always)]
     pub(super) fn partials(self, [a, b, c, d]: [f64; MOST_OPERANDS], value: f64) -> [f64; MOST_OPERANDS] {
         let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
         match self {
@@ -110,7 +110,7 @@ impl Op {
     }
 
     /// What the operation alone may put its result off, in an arithmetic; operands and result rounded to doubles.
-    #[inline]
+    #[inline(always)]
     pub(super) fn rounding<R: Real>(self, [a, b, c, d]: [f64; MOST_OPERANDS], value: f64) -> f64 {
         let real = R::from_f64;
         let transcendental = R::UNIT_ROUNDOFF * R::TRANSCENDENTAL_ULPS;

@@ -604,7 +604,7 @@ impl Transcript {
         let mut calls_before = Vec::with_capacity(tape.nodes.len());
         for (mark, node) in (0_u32..).zip(&tape.nodes) {
             calls_before.push(self.chord_calls.len());
-            let slot = match *node {
+            let slot = match node.node() {
                 tape::Node::Leaf(leaf) => {
                     let leaf = tape.leaves[leaf as usize];
                     match leaf.role {

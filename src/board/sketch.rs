@@ -60,9 +60,14 @@ impl Sketches {
         if sketch.iter().any(|draw| !draw.is_finite()) {
             return f64::INFINITY;
         }
-        let mut sizes = sketch.map(f64::abs);
-        sizes.sort_by(|a, b| b.total_cmp(a));
-        SAFETY * sizes[LARGER]
+        // The largest so far, in falling order.
+        let mut largest = [0.0_f64; LARGER + 1];
+        for mut size in sketch.map(f64::abs) {
+            for place in &mut largest {
+                (*place, size) = (place.max(size), place.min(size));
+            }
+        }
+        SAFETY * largest[LARGER]
     }
 }
 

@@ -94,13 +94,44 @@ pub(super) enum Role {
     Slip,
 }
 
-/// A scalar result.
+/// What a scalar result is.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Node {
     /// The number from outside of this index.
     Leaf(u32),
     /// An operation on earlier results; operands that it does not take are 0.
     Made(Op, [u32; MOST_OPERANDS]),
+}
+
+/// The same as it stands on the tape: numbers of equal size in fixed places, which a processor writes without a detour.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    /// The operands of an operation; of a number from outside its index, first.
+    of: [u32; MOST_OPERANDS],
+    made: Option<Op>,
+}
+
+impl Entry {
+    fn leaf(index: u32) -> Self {
+        let mut of = [0; MOST_OPERANDS];
+        of[0] = index;
+        Self { of, made: None }
+    }
+
+    /// What stands there.
+    #[inline]
+    pub(super) fn node(self) -> Node {
+        match self.made {
+            Some(op) => Node::Made(op, self.of),
+            None => Node::Leaf(self.of[0]),
+        }
+    }
+
+    /// The earlier results that it is made of.
+    #[inline]
+    pub(super) fn operands(&self) -> &[u32] {
+        &self.of[..self.made.map_or(0, Op::operands)]
+    }
 }
 
 /// An open constraint that was met by trial: what is tried stands where nothing is missed, and one step of false position
@@ -181,7 +212,7 @@ pub struct Tape {
     aside: bool,
     /// Where what was done beside the drawing begins and ends, in turns.
     pub(super) asides: Vec<u32>,
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<Entry>,
     /// The results, rounded to doubles.
     pub(super) values: Vec<f64>,
     fine: Fine,
@@ -202,6 +233,9 @@ impl Default for Tape {
         Self::of(Arithmetic::Double)
     }
 }
+
+/// Room for so many results from the first on: those of a four-bar.
+const FEW: usize = 512;
 
 /// At most so many factors are looked through before one is written again.
 const FACTORS: usize = 24;
@@ -345,8 +379,12 @@ impl Tape {
         if !self.keeps {
             return (value, 0, finite);
         }
+        if self.nodes.is_empty() {
+            self.nodes.reserve(FEW);
+            self.values.reserve(FEW);
+        }
         let mark = self.next();
-        self.nodes.push(Node::Leaf(u32::try_from(self.leaves.len()).unwrap_or(u32::MAX)));
+        self.nodes.push(Entry::leaf(u32::try_from(self.leaves.len()).unwrap_or(u32::MAX)));
         self.values.push(value);
         self.leaves.push(Leaf { given, error, role });
         (value, mark, finite)
@@ -368,20 +406,20 @@ impl Tape {
     }
 
     /// Writes an operation down that comes to this value.
-    #[inline]
+    #[inline(always)]
     fn write(&mut self, op: Op, of: [u32; MOST_OPERANDS], value: f64) -> u32 {
         if !self.keeps {
             return 0;
         }
         let mark = self.next();
-        self.nodes.push(Node::Made(op, of));
+        self.nodes.push(Entry { of, made: Some(op) });
         self.values.push(value);
         mark
     }
 
     /// An operation on numbers with these marks and values. Says whether the arithmetic holds the result: where it does
-    /// not, zero stands in its place.
-    #[inline]
+    /// not, zero stands in its place. Inlined for each operation of the board: nothing on the way is done as often.
+    #[inline(always)]
     pub(super) fn operate(
         &mut self,
         op: Op,

@@ -4,6 +4,7 @@
 //! no third opinion.
 
 mod beside;
+mod carried;
 mod confirm;
 mod sweep;
 
@@ -18,6 +19,7 @@ use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity, Stuck};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
 
+pub use carried::CarriedAstray;
 pub use sweep::{MOST_POSITIONS, SweepUnconfirmed, SweptApart, confirm_sweep};
 
 /// One asked quantity by both solvers.

@@ -1,8 +1,9 @@
 //! A sweep against the independent solver, at a stated handful of positions.
 //!
 //! A sweep is one drawing that is run many times: what is wrong with it shows at its ends and where something happens. So
-//! it is compared where each stretch begins and ends, at the scene's own place, and at events; at most [`MOST_POSITIONS`]
-//! positions, since the independent solver costs more for one position than the sweep for some thousand.
+//! it is compared where each stretch begins and ends, at the scene's own place, at events, and where these leave long gaps;
+//! at most [`MOST_POSITIONS`] positions, since the independent solver costs more for one position than the sweep for some
+//! thousand. Where wheels have carried their points is followed besides (`carried.rs`).
 //!
 //! A torsion spring is wound up by what its links have turned since the scene's own place. No equation of one position tells
 //! that: the independent solver is led there by short steps, and the angles that it finds are added up.
@@ -15,11 +16,19 @@ use crate::mechanism::quantity::{Answer, Indeterminate, Quantity, Stuck};
 use crate::mechanism::{Input, LinkId, Mechanism};
 use crate::sweep::{EventKind, Stretch, Sweep};
 
+use super::carried::{self, CarriedAstray};
+
 /// A sweep is compared at so many positions at most.
 pub const MOST_POSITIONS: usize = 16;
 
 /// At the end of a stretch two arcs touch, and speeds grow without end: it is compared this part of its length inside.
 const INSIDE: f64 = 1e-3;
+
+/// Over a part of the range that is longer than this nothing is left uncompared, as long as there are positions left.
+const LONGEST_GAP: f64 = 1.0 / 6.0;
+
+/// Where in a gap it is compared: nowhere that a scene of round numbers would have chosen.
+const IN_GAP: f64 = 0.44;
 
 /// Nearer than this part of its period to a knot of a curve one may be on either side of it.
 const KNOT: f64 = 1e-12;
@@ -61,6 +70,8 @@ pub enum SweepUnconfirmed {
         /// Which pairs rub.
         why: String,
     },
+    /// The points of a wheel are not where it has rolled them.
+    Carried(CarriedAstray),
 }
 
 /// Compares a sweep with the independent solver. Gives at how many positions they were compared.
@@ -72,6 +83,12 @@ pub fn confirm_sweep(sweep: &Sweep) -> Result<usize, SweepUnconfirmed> {
     let wound = wound_up(sweep, &places);
     for (&at, wound) in places.iter().zip(&wound) {
         confirm_at(sweep, at, wound.as_deref())?;
+    }
+    if sweep.is_carried_along() {
+        for &at in &places {
+            carried::moves_as_it_rolls(sweep, at)?;
+        }
+        carried::nothing_leaps(sweep)?;
     }
     Ok(places.len())
 }
@@ -188,10 +205,6 @@ fn wrapped(angle: f64) -> f64 {
 /// Where a sweep is compared.
 fn positions(sweep: &Sweep) -> Vec<f64> {
     let mut places = vec![sweep.start];
-    if sweep.is_carried_along() {
-        // Where the points of a wheel stand elsewhere adds up on the way, which no equation of one position tells.
-        return places;
-    }
     let mut last: Option<&Stretch> = None;
     for (index, stretch) in sweep.stretches.iter().enumerate() {
         let inside = (stretch.to - stretch.from) * INSIDE;
@@ -218,7 +231,23 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup();
     places.truncate(MOST_POSITIONS);
+    fill_gaps(sweep, &mut places);
     places
+}
+
+/// Adds places where much of a stretch would go uncompared, the longest gap first.
+fn fill_gaps(sweep: &Sweep, places: &mut Vec<f64>) {
+    let longest_gap = (sweep.range[1] - sweep.range[0]) * LONGEST_GAP;
+    while places.len() < MOST_POSITIONS {
+        let gaps = places.windows(2).map(|ends| (ends[0], ends[1] - ends[0]));
+        let inside = gaps.filter(|(from, gap)| sweep.stretch_at(from + gap * IN_GAP).is_some());
+        let Some((from, gap)) = inside.max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
+        if gap <= longest_gap {
+            return;
+        }
+        let at = from + gap * IN_GAP;
+        places.insert(places.partition_point(|place| *place < at), at);
+    }
 }
 
 /// Whether the first input stands where the curve of a load may leap: there a hair decides which of two sizes counts.

@@ -10,8 +10,8 @@ use crate::grade::{self, Allowed, GradeError, GradeSettings, HandIn, Report};
 use crate::parallel;
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
-use crate::scene::Scene;
-use crate::sheet::Figure;
+use crate::scene::{Diagnostic, Scene};
+use crate::sheet::{Figure, Language};
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
@@ -23,6 +23,7 @@ pub(super) struct Job {
     pub(super) hand: Option<Hand>,
     pub(super) max_tolerance: Option<f64>,
     pub(super) trust_answers: bool,
+    pub(super) lang: Option<String>,
     pub(super) output: Option<PathBuf>,
 }
 
@@ -86,6 +87,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let Some(own) = answers.first() else { return Ok(Ending::Fine) };
     let scene = source.of(own)?;
+    let settings = GradeSettings { language: language(job, &scene)?, ..settings };
     let (report, figure) = graded((&scene, &source), own, job.drawing.as_deref(), &settings, false)?;
     match &output {
         None => {}
@@ -102,11 +104,19 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             files::write_all(&[(path.clone(), bytes)])?;
         }
         Some(Output::Page(path)) => {
-            files::write_all(&[(path.clone(), page(&title(&scene), &report, figure.as_ref())?)])?;
+            files::write_all(&[(
+                path.clone(),
+                page(&title(&scene, report.language), &report, figure.as_ref())?,
+            )])?;
         }
         Some(Output::Folder(folder)) => {
             let one = HandIn { file: files::shown(own), outcome: Ok(report.clone()) };
-            write_folder(folder, answers, &[one], &[figure.map(|figure| (title(&scene), figure))])?;
+            write_folder(
+                folder,
+                answers,
+                &[one],
+                &[figure.map(|figure| (title(&scene, report.language), figure))],
+            )?;
         }
     }
     if job.json {
@@ -116,7 +126,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     } else {
         print(&report.to_text())?;
     }
+    // What is not understood is told like any bad input, behind what was graded all the same.
+    let unread = unread(&report);
+    if !unread.is_empty() {
+        return Err(Failure(unread.join("\nerror: ")));
+    }
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// What of a hand-in is not understood.
+fn unread(report: &Report) -> Vec<String> {
+    report.not_read.iter().map(|one| one.why.to_string()).collect()
 }
 
 /// What is graded by: a scene, or the variants of an exam.
@@ -207,8 +227,15 @@ impl Exam {
     }
 }
 
-fn title(scene: &Scene) -> String {
-    scene.title.in_language("en").unwrap_or("Solution").to_owned()
+fn title(scene: &Scene, language: Language) -> String {
+    let words = language.words();
+    scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned()
+}
+
+/// The language of the reports: as it is wished, or that of the sheet.
+fn language(job: &Job, scene: &Scene) -> Result<Language, Failure> {
+    let own = || scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default();
+    job.lang.as_deref().map_or_else(|| Ok(own()), super::language)
 }
 
 /// What an output's name means.
@@ -247,14 +274,21 @@ fn graded(
     let (file, text) = files::read(path)?;
     let mut answers = grade::read_named(&text, &file, scene)?;
     // Where nobody says on the command line which drawing it is, it lies beside the answers.
-    let drawing = match (drawing, &answers.drawing) {
-        (Some(given), _) => Some(given.to_owned()),
-        (None, Some(named)) => Some(beside(path, &answers, named)?),
-        (None, None) => None,
-    };
-    if let Some(drawing) = drawing {
-        let (file, svg) = files::read_file(&drawing)?;
-        answers.add_drawing(&svg, &file, scene)?;
+    match (drawing, answers.drawing.clone()) {
+        (Some(given), _) => {
+            let (file, svg) = files::read_file(given)?;
+            answers.add_drawing(&svg, &file, scene)?;
+        }
+        (None, Some(named)) => {
+            // Whoever names what is no drawing has his other answers graded.
+            if let Err(why) = add_drawing_beside(path, &named, &mut answers, scene) {
+                if answers.is_empty() {
+                    return Err(why.into());
+                }
+                answers.miss_drawing(why);
+            }
+        }
+        (None, None) => {}
     }
     // Of a class somebody may hand in an empty sheet.
     if answers.is_empty() && !of_class {
@@ -284,6 +318,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
         let why = "nothing was handed in, so there is nothing to lay over";
         return Err(Failure(format!("{}: {why}", files::shown(path))));
     }
+    let language = language(job, scene)?;
     let all = grade::tolerances(scene, settings).map_err(|error| refused(scene, error))?;
     let loose = |graded: &grade::Graded| matches!(graded.allowed, Allowed::Capped { .. });
     if job.json {
@@ -293,7 +328,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
                 serde_json::json!({
                     "name": graded.name, "unit": graded.unit.symbol, "right": graded.right,
                     "tolerance": graded.tolerance, "tolerance_direction_deg": graded.turn,
-                    "tolerance_because": graded.because(),
+                    "tolerance_because": graded.because().told(language),
                     "loose": loose(graded),
                 })
             })
@@ -305,8 +340,9 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
         let mut text = String::new();
         for graded in &all {
             let flag = if loose(graded) { "  TOO LOOSE: ask for something else, or draw larger" } else { "" };
-            let _ =
-                writeln!(text, "{}: {}: {}{flag}", graded.name, graded.expected_within(), graded.because());
+            let [right, because] =
+                [graded.expected_within(), graded.because()].map(|told| told.told(language));
+            let _ = writeln!(text, "{}: {right}: {because}{flag}", graded.name);
         }
         print(&text)?;
     }
@@ -324,8 +360,10 @@ fn of_class(
     let bar = progress(answers.len(), "hand-ins");
     let all = parallel::map(answers, |path| {
         let graded = source.of(path).and_then(|scene| {
-            let (report, figure) = graded((&scene, source), path, None, settings, true)?;
-            Ok::<_, Failure>((report, figure.map(|figure| (title(&scene), figure))))
+            let language = language(job, &scene)?;
+            let settings = GradeSettings { language, ..*settings };
+            let (report, figure) = graded((&scene, source), path, None, &settings, true)?;
+            Ok::<_, Failure>((report, figure.map(|figure| (title(&scene, language), figure))))
         });
         bar.inc(1);
         graded
@@ -341,11 +379,11 @@ fn of_class(
         class.push(HandIn { file: files::shown(path), outcome });
         figures.push(figure);
     }
-    let unread: Vec<&str> =
+    let refused: Vec<&str> =
         class.iter().filter_map(|one| one.outcome.as_ref().err()).map(String::as_str).collect();
     // Where none can be graded, the scene is at fault, or all of them.
-    if unread.len() == class.len() {
-        return Err(Failure(unread.join("\nerror: ")));
+    if refused.len() == class.len() {
+        return Err(Failure(refused.join("\nerror: ")));
     }
     if let Some(Output::Folder(folder)) = output {
         write_folder(folder, answers, &class, &figures)?;
@@ -371,6 +409,10 @@ fn of_class(
     } else {
         print(&told(&class, &faults))?;
     }
+    let unread: Vec<String> = class
+        .iter()
+        .flat_map(|one| one.outcome.as_ref().map_or_else(|why| vec![why.clone()], unread))
+        .collect();
     if !unread.is_empty() {
         return Err(Failure(unread.join("\nerror: ")));
     }
@@ -393,7 +435,10 @@ fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
                 let (reached, of) = report.sum();
                 let fault = match (&report.other_variant, report.first_fault()) {
                     (Some(variant), _) => format!("the answers of variant {variant}"),
-                    (None, fault) => fault.map_or(String::new(), |fault| report.symbols.plain(&fault.text())),
+                    (None, fault) => {
+                        let told = |fault: grade::FirstFault<'_>| fault.text().told(report.language);
+                        fault.map_or(String::new(), |fault| report.symbols.plain(&told(fault)))
+                    }
                 };
                 let marks = format!("{} of {}", short(reached), short(of));
                 let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");
@@ -444,7 +489,7 @@ fn write_folder(
         }
         let (title, figure) = match figure {
             Some((title, figure)) => (title.as_str(), Some(figure)),
-            None => ("Solution", None),
+            None => (report.language.words().untitled, None),
         };
         all.push((folder.join(format!("{name}.html")), page(title, report, figure)?));
     }
@@ -469,10 +514,19 @@ fn page(title: &str, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>
     Ok(report.to_html(title, svg.as_deref()).into_bytes())
 }
 
-/// The place of the drawing that the answers name; told at the key that names it, where it is refused.
-fn beside(file: &Path, answers: &grade::Answers, named: &str) -> Result<PathBuf, Failure> {
-    files::beside_of(file, named).map_err(|error| {
+/// Takes the drawing that the answers name; what is wrong with its place is told at the key that names it.
+fn add_drawing_beside(
+    file: &Path,
+    named: &str,
+    answers: &mut grade::Answers,
+    scene: &Scene,
+) -> Result<(), Diagnostic> {
+    let at = answers.drawing_at;
+    let place = files::beside_of(file, named).map_err(|error| {
         let mend = "name a file beside the answers, or give it on the command line: --drawing FILE";
-        answers.complain(answers.drawing_at, error.to_string(), Some(mend.to_owned())).into()
-    })
+        answers.complain(at, error.to_string(), Some(mend.to_owned()))
+    })?;
+    let (file, svg) =
+        files::read_file(&place).map_err(|error| answers.complain(at, error.to_string(), None))?;
+    answers.add_drawing(&svg, &file, scene)
 }

@@ -198,6 +198,9 @@ enum Command {
         /// Without this it does not
         #[arg(long)]
         trust_answers: bool,
+        /// Language of the reports: en, ar, ar-x-ajala, fa; that of the scene's sheet where nothing is said
+        #[arg(long, value_name = "LANG")]
+        lang: Option<String>,
         /// Where to write the student's polygons over the right ones, every fault circled; the ending chooses the
         /// format, .html is a page with report and figure. A folder: a page for each, marks.csv and faults.csv
         #[arg(short, long, value_name = "FILE|DIR")]
@@ -570,11 +573,27 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith, ..Settings::default() })
         }
-        Command::Grade { scene, answers, drawing, json, hand, max_tolerance, trust_answers, output } => {
-            let job =
-                grade::Job { scene, answers, drawing, json, hand, max_tolerance, trust_answers, output };
-            grade::run(&job)
-        }
+        Command::Grade {
+            scene,
+            answers,
+            drawing,
+            json,
+            hand,
+            max_tolerance,
+            trust_answers,
+            lang,
+            output,
+        } => grade::run(&grade::Job {
+            scene,
+            answers,
+            drawing,
+            json,
+            hand,
+            max_tolerance,
+            trust_answers,
+            lang,
+            output,
+        }),
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep {
             scene,

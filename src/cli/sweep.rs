@@ -487,6 +487,25 @@ impl Report<'_> {
                 format!("at {} the independent solver refuses: {why}", self.place(*at))
             }
             SweepUnconfirmed::Stuck { at, why } => format!("at {} {why}", self.place(*at)),
+            SweepUnconfirmed::Carried(astray) => {
+                let unit = if astray.name.starts_with("angle") {
+                    &self.scene.units.angle
+                } else {
+                    &self.scene.units.length
+                };
+                let told = |value: f64| format!("{} {}", short(value / unit.si), unit.symbol);
+                let (at, name) = (self.place(astray.at), &astray.name);
+                if astray.leaps {
+                    return format!("at {at} {name} leaps by {}", told(astray.swept));
+                }
+                let told = |value: f64| told(value * self.unit.si);
+                format!(
+                    "at {at} {name} changes by {} for each {} by the drawing and by {} by the independent solver",
+                    told(astray.swept),
+                    self.unit.symbol,
+                    told(astray.analytic)
+                )
+            }
             SweepUnconfirmed::Number(number) => {
                 let unit = self.unit_of(number.column);
                 let told = |value: f64| format!("{} {}", short(value / unit.si), unit.symbol);

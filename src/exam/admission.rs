@@ -7,9 +7,9 @@ use super::{ExamError, Flaw, Loose, Terms, Variant};
 use crate::check::confirm;
 use crate::graphical::DrawError;
 use crate::graphical::construction::{
-    Act, Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found,
+    Act, Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found, Reading,
 };
-use crate::mechanism::quantity::Answer;
+use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::mechanism::{LinkId, Mechanism, Place, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
@@ -41,6 +41,8 @@ pub(super) struct Base<'a> {
     clear: Vec<bool>,
     /// Which of its own answers lie at infinity: there is no number to hand in.
     at_infinity: Vec<bool>,
+    /// Which of its own answers are instant centres off the paper.
+    far: Vec<bool>,
     /// What a hand measures of its forces.
     forces: Measured,
 }
@@ -73,6 +75,7 @@ impl<'a> Base<'a> {
             step: if several { SMALL_STEP } else { 1.0 },
             clear: clear.collect(),
             at_infinity: at_infinity.collect(),
+            far: far_centres(scene, construction),
             forces: Measured::of(scene, construction, solved.scales.paper()),
         })
     }
@@ -94,6 +97,7 @@ impl<'a> Base<'a> {
         confirm(&scene, &solved).map_err(|_| Flaw::Disagrees)?;
         let tolerated = of_asked(&scene, &solved, standard(terms)).map_err(refused)?;
         let mut answers = Vec::new();
+        let far = far_centres(&scene, construction);
         for (index, (asked, reading)) in scene.mechanism.asked.iter().zip(&construction.answers).enumerate() {
             let Some(tolerated) = tolerated.get(index) else { continue };
             let hand = &tolerated.hand;
@@ -105,6 +109,9 @@ impl<'a> Base<'a> {
             }
             if numbers.is_empty() {
                 return Err(Flaw::Undetermined { name: asked.name.clone() });
+            }
+            if far.get(index) == Some(&true) && self.far.get(index) != Some(&true) {
+                return Err(Flaw::FarCentre { name: asked.name.clone() });
             }
             let slip = hand.tolerance().unwrap_or(f64::INFINITY);
             if hand.failed > 0 {
@@ -261,15 +268,21 @@ fn places(mechanism: &Mechanism, construction: &Construction) -> Places {
     let space = &construction.space;
     let drawn: Places =
         space.places.iter().map(|at| at.map(|at| at.map(|mm| mm * space.metres_per_mm))).collect();
+    let origin = world_origin(mechanism, construction);
+    drawn.into_iter().map(|at| at.map(|at| [0, 1].map(|k| at[k] + origin[k]))).collect()
+}
+
+/// Where the skeleton's own origin lies in the world, metres.
+fn world_origin(mechanism: &Mechanism, construction: &Construction) -> [f64; 2] {
+    let space = &construction.space;
     let known = |fixed: bool| {
-        mechanism.points.iter().zip(&drawn).find_map(|(point, drawn)| {
+        mechanism.points.iter().zip(&space.places).find_map(|(point, drawn)| {
             let exact = point.place.exact().filter(|_| !fixed || matches!(point.place, Place::Fixed(_)))?;
             let drawn = (*drawn)?;
-            Some([0, 1].map(|k| exact[k].value - drawn[k]))
+            Some([0, 1].map(|k| exact[k].value - drawn[k] * space.metres_per_mm))
         })
     };
-    let origin = known(true).or_else(|| known(false)).unwrap_or([0.0; 2]);
-    drawn.into_iter().map(|at| at.map(|at| [0, 1].map(|k| at[k] + origin[k]))).collect()
+    known(true).or_else(|| known(false)).unwrap_or([0.0; 2])
 }
 
 /// Width or height of all points, whichever is larger.
@@ -281,6 +294,33 @@ fn extent(places: &Places) -> f64 {
     };
     f64::max(along(0), along(1)).max(0.0)
 }
+
+/// Of each answer, whether it is an instant centre for which the sheet has no room beside the skeleton.
+fn far_centres(scene: &Scene, construction: &Construction) -> Vec<bool> {
+    let (width, height) = sheet::paper(scene);
+    let room = [width - 2.0 * AROUND, height - 2.0 * AROUND];
+    let space = &construction.space;
+    let box_with = |place: [f64; 2]| {
+        [0, 1].map(|axis| {
+            let all = space.places.iter().flatten().map(|at| at[axis]).chain([place[axis]]);
+            let (least, most) =
+                all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+            most - least
+        })
+    };
+    let origin = world_origin(&scene.mechanism, construction);
+    let far = |(asked, reading): (&Asked, &Reading)| match (asked.quantity, &reading.answer) {
+        (Quantity::Centre(..), Answer::Vector { value, .. }) => {
+            let [across, up] = box_with([0, 1].map(|k| (value[k] - origin[k]) / space.metres_per_mm));
+            across > room[0] || up > room[1]
+        }
+        _ => false,
+    };
+    scene.mechanism.asked.iter().zip(&construction.answers).map(far).collect()
+}
+
+/// Nobody draws nearer to the edge of his paper, mm.
+const AROUND: f64 = 10.0;
 
 /// The angle at which the two lines cross in which an instant centre was found, radians.
 fn crossing_at(circle: &CircleDiagram, centre: &Centre) -> Option<f64> {

@@ -197,6 +197,11 @@ pub enum Flaw {
         /// Which.
         what: String,
     },
+    /// An asked instant centre lies off the paper, though it does not in the scene.
+    FarCentre {
+        /// Its name.
+        name: String,
+    },
     /// At the stated scales it is larger than the paper.
     OffPage,
     /// The two solvers do not agree within their bounds.
@@ -222,6 +227,7 @@ impl Flaw {
             Self::Loose { .. } => "have an answer that a careful hand may miss by more than is allowed",
             Self::Short { .. } => "have a length of the forces that is too short to be measured",
             Self::OtherSense { .. } => "have a pair that rubs the other way",
+            Self::FarCentre { .. } => "have an instant centre off the page",
             Self::OffPage => "do not fit the page at the stated scales",
             Self::Disagrees => "are not confirmed by the analytic solver",
             Self::Alike { .. } => "have the answers of another variant, within tolerance",
@@ -236,7 +242,8 @@ impl Flaw {
             Self::Undetermined { name }
             | Self::NotByHand { name }
             | Self::Drowned { name }
-            | Self::Loose { name } => Some(name.clone()),
+            | Self::Loose { name }
+            | Self::FarCentre { name } => Some(name.clone()),
             Self::Short { what, mm } => Some(format!("{what}, {mm:.1} mm")),
             Self::OtherSense { what } => Some(what.clone()),
             Self::Alike { variant } => Some(format!("variant {}", name(*variant))),

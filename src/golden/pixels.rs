@@ -38,6 +38,9 @@ pub struct Difference {
     pub differing: usize,
 }
 
+/// No picture that [`Picture::png`] wrote has more pixels: a sheet of A3 at 600 dots per inch has half as many.
+const MOST: usize = 1 << 27;
+
 impl Picture {
     /// An SVG drawn on white.
     ///
@@ -61,7 +64,8 @@ impl Picture {
     /// One clause, where the bytes are no PNG of eight-bit grey levels.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(damaged)?;
-        let size = reader.output_buffer_size().ok_or("the picture is too large")?;
+        let size = reader.output_buffer_size().filter(|size| *size <= MOST);
+        let size = size.ok_or("the picture is too large")?;
         if reader.output_color_type() != (png::ColorType::Grayscale, png::BitDepth::Eight) {
             return Err("not a picture of eight-bit grey levels".to_owned());
         }

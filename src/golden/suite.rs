@@ -326,10 +326,35 @@ impl Suite {
         Ok(Seen::Same)
     }
 
-    /// The files that there are of a golden.
+    /// The files that there are of a golden. What bears such a name where nothing was blessed is somebody's own.
     fn files_of(&self, name: &str) -> Vec<PathBuf> {
-        let paths = [MEANING, SVG, PIXELS, REFUSAL, SCENE].map(|ending| self.path(name, ending));
-        paths.into_iter().filter(|path| path.is_file()).collect()
+        let there = |ending: &&str| self.path(name, ending).is_file();
+        if ![MEANING, REFUSAL].iter().any(there) {
+            return Vec::new();
+        }
+        let endings = [MEANING, SVG, PIXELS, REFUSAL, SCENE];
+        endings.iter().filter(|ending| there(ending)).map(|ending| self.path(name, ending)).collect()
+    }
+
+    /// A file that is no golden and stands where one is to be written for the first time: somebody's own figure or scene.
+    fn in_the_way(&self, case: &Case, outcome: &Outcome) -> Option<PathBuf> {
+        let Outcome::Figure { svg, .. } = outcome else { return None };
+        if !self.files_of(&case.name).is_empty() {
+            return None;
+        }
+        let there = |ending: &str| self.path(&case.name, ending).symlink_metadata().is_ok();
+        let is_same = |ending: &str, new: &[u8]| {
+            bytes(&self.path(&case.name, ending)).is_ok_and(|old| old.as_deref() == Some(new))
+        };
+        // A copy of the scene was left by a bless, whose other files may have been lost.
+        let scene = files::read(&case.scene).ok()?.1;
+        if is_same(SCENE, scene.as_bytes()) {
+            return None;
+        }
+        let foreign = [SCENE, PIXELS, SVG].into_iter().filter(|ending| there(ending));
+        // What is there already as it would be written is in nobody's way.
+        let mut foreign = foreign.filter(|ending| *ending != SVG || !is_same(SVG, svg.as_bytes()));
+        foreign.next().map(|ending| self.path(&case.name, ending))
     }
 
     fn missing(&self, name: &str, ending: &str) -> Verdict {
@@ -401,6 +426,15 @@ impl Suite {
         }
         // Two who bless one suite do so one after another.
         let _held = files::hold(&self.folder);
+        for (case, (outcome, _)) in self.cases.iter().zip(drawn.iter().flatten()) {
+            if let Some(path) = self.in_the_way(case, outcome).filter(|_| case.keep == Keep::Files) {
+                return Err(GoldenError::File(format!(
+                    "{}: it stands where the golden of {} is to be, and is none; move it away, or keep the scenes of the suite in a folder of their own",
+                    files::shown(&path),
+                    case.name
+                )));
+            }
+        }
         let mut told = Vec::new();
         let mut recorded = self.lines.clone();
         let in_files: BTreeSet<&str> = {

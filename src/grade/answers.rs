@@ -7,6 +7,7 @@ use super::digits::{
     refuse_decimal_comma, with_plain_digits, with_plain_numbers, with_plain_sense, with_plain_unit,
 };
 use super::scan::Scan;
+use super::unread::{Missed, Unread, refuse_bare, spans};
 use crate::limits;
 use crate::mechanism::Sense;
 use crate::mechanism::cycle::CycleQuantity;
@@ -60,11 +61,17 @@ pub struct Answers {
     /// nothing follows from it.
     pub other_variant: Option<String>,
     /// What the scene asks: what it asks twice may be answered twice.
-    asked: Vec<Quantity>,
+    pub(super) asked: Vec<Quantity>,
     /// Where each scale stands in the file.
     pub(super) scales_at: [usize; Dimension::ALL.len()],
-    file: String,
-    text: String,
+    /// The scales that the file states and nobody understands: what was measured by them tells nothing.
+    lost_scales: Vec<&'static str>,
+    /// Fields that were not understood.
+    pub(super) missed: Vec<Missed>,
+    /// The same of what stands in other files.
+    pub(super) elsewhere: Vec<Unread>,
+    pub(super) file: String,
+    pub(super) text: String,
 }
 
 /// One value or measured length.
@@ -84,6 +91,13 @@ pub struct Item {
     pub rounding: f64,
     /// Where it stands in the file.
     pub at: usize,
+}
+
+impl Item {
+    /// Whether it is a length that was measured on the drawing.
+    pub(super) fn is_drawn(&self) -> bool {
+        matches!(self.given, Given::Drawn(_))
+    }
 }
 
 /// In which form somebody writes an answer.
@@ -175,18 +189,44 @@ impl Answers {
                 let what = "the points of one figure stand in `points` and in the drawing";
                 return Err(self.complain(at, what, Some("keep one of the two".to_owned())));
             }
+            if self.lost_scales.contains(&scale_of(figure.order)) {
+                return Err(self.complain(at, WITHOUT_SCALE, None));
+            }
             figure.points.iter_mut().for_each(|(.., place)| *place = at);
             self.figures.push(figure);
         }
         Ok(())
     }
 
-    /// Takes one more value.
-    pub(super) fn take(&mut self, item: Item) -> Res<()> {
-        self.count(item.at)?;
-        refuse_twice(&self.items, &item, &self.asked)?;
-        self.items.push(item);
-        Ok(())
+    /// Leaves out the scale of a figure and what was measured by it; that is what is not read for want of it.
+    pub(super) fn without_scale(&mut self, order: Order) -> Vec<Unread> {
+        self.scales.0[order.dimension() as usize] = None;
+        let measured = |item: &Item| {
+            let force = matches!(item.asked.quantity, Quantity::Force(..));
+            item.is_drawn() && !force && item.asked.quantity.order() == order
+        };
+        let (lost, left) = std::mem::take(&mut self.items).into_iter().partition(measured);
+        self.items = left;
+        let (figures, left) = std::mem::take(&mut self.figures).into_iter().partition(|f| f.order == order);
+        self.figures = left;
+        let (lost, figures): (Vec<Item>, Vec<FigurePoints>) = (lost, figures);
+        let why = |at: usize| self.complain(at, WITHOUT_SCALE, None);
+        let lost = lost.into_iter().map(|Item { asked, at, .. }| Unread {
+            name: asked.name,
+            quantity: Some(asked.quantity),
+            why: why(at),
+        });
+        let figures = figures.into_iter().map(|figure| Unread {
+            name: format!("points.{}", super::case::figure_name(order)),
+            quantity: None,
+            why: why(figure.points.first().map_or(0, |(.., at)| *at)),
+        });
+        lost.chain(figures).collect()
+    }
+
+    /// The values, without lengths that were measured on the drawing.
+    pub(super) fn values(&self) -> impl Iterator<Item = &Item> {
+        self.items.iter().filter(|item| !item.is_drawn())
     }
 
     /// Where one rotation has a minus sign, those without a sign or a sense turn counter-clockwise; likewise torques.
@@ -206,16 +246,10 @@ impl Answers {
     /// Refuses one answer more than anybody hands in.
     pub(super) fn count(&self, at: usize) -> Res<()> {
         let points: usize = self.figures.iter().map(|figure| figure.points.len()).sum();
-        if self.items.len() + points < limits::ANSWERS {
+        if self.items.len() + points + self.missed.len() < limits::ANSWERS {
             return Ok(());
         }
         Err(Fault::new(at, format!("more than {} answers", limits::grouped(limits::ANSWERS))))
-    }
-
-    /// The same, when points were taken already.
-    fn count_points(&self, at: usize) -> Res<()> {
-        let points: usize = self.figures.iter().map(|figure| figure.points.len()).sum();
-        if self.items.len() + points <= limits::ANSWERS { Ok(()) } else { self.count(at) }
     }
 
     /// As if all that a scene asks had been answered with nothing: what may be said of it before anybody answers.
@@ -244,6 +278,9 @@ impl Answers {
             other_variant: None,
             asked: Vec::new(),
             scales_at: [0; Dimension::ALL.len()],
+            lost_scales: Vec::new(),
+            missed: Vec::new(),
+            elsewhere: Vec::new(),
             file: file.to_owned(),
             text: text.to_owned(),
         }
@@ -261,10 +298,12 @@ impl Answers {
     }
 }
 
-/// Reads the answers to a scene, as JSON, as CSV, or as the SVG of a drawing.
+/// Reads the answers to a scene, as JSON, as CSV, or as the SVG of a drawing. A field that is not understood answers
+/// nothing, and is among the [`Answers::unread`].
 ///
 /// # Errors
-/// The first thing that is wrong with the text, with its place and its mend.
+/// A text that is neither of these, is beyond the limits, or of which nothing is understood: the first thing that is wrong
+/// with it, with its place and its mend.
 pub fn read_answers(text: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
     read_named(text, "answers", scene)
 }
@@ -283,13 +322,24 @@ pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diag
         return super::drawing::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
     }
     if !begin.starts_with('{') {
-        return super::csv::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
+        let answers = super::csv::read(text, scene, empty).and_then(something);
+        return answers.map_err(|fault| fault.locate(file, text, None));
     }
-    let json::Document { mut root, fault } =
+    let json::Document { mut root, fault, twice } =
         json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
-    let digits = fault.map_or_else(|| read_digits(&mut root, None), Err);
-    let answers = digits.and_then(|()| answers(&root, scene, empty));
+    read_digits(&mut root, None);
+    let limited = fault.map_or(Ok(()), Err);
+    let answers = limited.and_then(|()| answers(&root, scene, empty, &twice)).and_then(something);
     answers.map_err(|fault| fault.locate(file, text, Some(&root)))
+}
+
+/// Answers of which something is understood, or in which there is nothing to be understood.
+fn something(mut answers: Answers) -> Res<Answers> {
+    let nothing = answers.is_empty() && answers.drawing.is_none();
+    match answers.missed.is_empty() {
+        false if nothing => Err(answers.missed.swap_remove(0).fault),
+        _ => Ok(answers),
+    }
 }
 
 /// Refuses a text that is no JSON, with its place; `file` is named.
@@ -300,9 +350,8 @@ pub(crate) fn refuse_broken(text: &str, file: &str) -> Result<(), Diagnostic> {
     document.fault.map_or(Ok(()), |fault| Err(fault.locate(file, &plain, Some(&document.root))))
 }
 
-/// Turns the digits of Persian and Arabic into those of ASCII, and names a decimal comma for what it is; names of people
-/// and files stay as they are.
-fn read_digits(value: &mut Value<'_>, key: Option<&str>) -> Res<()> {
+/// Turns the digits of Persian and Arabic into those of ASCII; names of people and files stay as they are.
+fn read_digits(value: &mut Value<'_>, key: Option<&str>) {
     match &mut value.kind {
         Kind::Text(text) if !key.is_some_and(|key| NAMES.contains(&key)) => {
             if let Cow::Owned(plain) = with_plain_digits(text) {
@@ -314,115 +363,325 @@ fn read_digits(value: &mut Value<'_>, key: Option<&str>) -> Res<()> {
             if let Cow::Owned(plain) = with_plain_unit(text) {
                 *text = plain;
             }
-            refuse_decimal_comma(text, value.at)?;
         }
-        Kind::List(list) => list.iter_mut().try_for_each(|one| read_digits(one, None))?,
+        Kind::List(list) => list.iter_mut().for_each(|one| read_digits(one, None)),
         Kind::Object(entries) => {
             for entry in entries {
                 if let Cow::Owned(plain) = with_plain_digits(&entry.key) {
                     entry.key = plain;
                 }
-                read_digits(&mut entry.value, Some(&entry.key))?;
+                read_digits(&mut entry.value, Some(&entry.key));
             }
         }
         _ => {}
     }
-    Ok(())
+}
+
+/// Names a decimal comma for what it is, wherever it stands in a value.
+fn refuse_commas(value: &Value<'_>) -> Res<()> {
+    match &value.kind {
+        Kind::Text(text) => refuse_decimal_comma(text, value.at),
+        Kind::List(list) => list.iter().try_for_each(refuse_commas),
+        Kind::Object(entries) => entries.iter().try_for_each(|entry| refuse_commas(&entry.value)),
+        _ => Ok(()),
+    }
 }
 
 /// Texts that are no answers.
 const NAMES: [&str; 3] = ["$schema", "student", "drawing"];
 
-fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers> {
-    let fields = Fields::of(root, ANSWERS, "answers: {\"values\": {\"v(B)\": \"170 cm/s\"}, …}")?;
-    let text =
-        |key: &str, what: &str| fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
-    text("$schema", "the address of the schema")?;
-    answers.student = text("student", "a name, as text")?;
-    text("variant", "the number of a variant, as text")?;
-    answers.drawing = text("drawing", "the name of an SVG file")?;
-    answers.drawing_at = fields.get("drawing").map_or(0, |value| value.at);
-    let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
-    let names = Names::new(&scene.mechanism, &scales);
-    for entry in entries(&fields, "values", "values, by name of the quantity")? {
-        let asked = quantity(&names, &entry.key, entry.at, scene)?;
-        // A box that was left empty: not answered.
-        if !is_blank(&entry.value) {
-            let item = value(asked, entry, &scales)?;
-            answers.take(item)?;
+fn answers(root: &Value<'_>, scene: &Scene, answers: Answers, twice: &[Fault]) -> Res<Answers> {
+    let expected = "answers: {\"values\": {\"v(B)\": \"170 cm/s\"}, …}";
+    let fields = Fields::among(root, ANSWERS, expected)?;
+    let all = root.object(expected)?;
+    let mut own: Vec<[usize; 2]> = Vec::new();
+    for (entry, end) in spans(all, usize::MAX) {
+        match (entry.key.as_str(), &entry.value.kind) {
+            ("values" | "lengths", Kind::Object(entries)) => {
+                own.extend(spans(entries, end).map(|(entry, end)| [entry.at, end]));
+            }
+            ("points", Kind::Object(figures)) => {
+                for (figure, end) in spans(figures, end) {
+                    if let Kind::Object(points) = &figure.value.kind {
+                        own.extend(spans(points, end).map(|(entry, end)| [entry.at, end]));
+                    }
+                }
+            }
+            _ => {}
         }
     }
+    // A key that is given twice in one answer leaves that one open; elsewhere nobody knows what is meant.
+    let within = |fault: &&Fault| own.iter().any(|[from, to]| (*from..*to).contains(&fault.at));
+    if let Some(fault) = twice.iter().find(|fault| !within(fault)) {
+        return Err(fault.clone());
+    }
+    let scales = Scales::read(None, Some(&scene.units))?;
+    let mut reader = Reader { answers, scales, units_lost: false, scene, twice };
+    for (key, fault) in fields.unknown() {
+        reader.answers.miss(key, None, fault);
+    }
+    reader.heads(&fields);
+    let end_of = |key: &str| {
+        spans(all, usize::MAX).find(|(entry, _)| entry.key == key).map_or(usize::MAX, |(_, end)| end)
+    };
+    reader.values(&fields, end_of("values"))?;
+    reader.stated_scales(&fields);
+    reader.lengths(&fields, end_of("lengths"))?;
+    reader.points(&fields, end_of("points"))?;
+    reader.tolerances(&fields);
+    let mut answers = reader.answers;
+    answers.void_what_is_written_twice();
     answers.take_plus_for_a_sense();
-    let stated = fields.get("scales").map(|v| Fields::of(v, SCALES, "scales by diagram")).transpose()?;
-    if let Some(stated) = stated {
-        let scale = |key: &str, measure: Measure, per: f64| -> Res<Option<f64>> {
-            stated.get(key).map(|v| drawing_scale(v, measure, &scales).map(|s| s / per)).transpose()
+    Ok(answers)
+}
+
+/// A file of answers while it is read, field by field.
+struct Reader<'r> {
+    answers: Answers,
+    scales: Scales,
+    /// What the file says of its units is not understood: only numbers with a unit of their own tell something.
+    units_lost: bool,
+    scene: &'r Scene,
+    /// Keys that are given twice.
+    twice: &'r [Fault],
+}
+
+/// Of what was measured on a drawing whose scale is not understood.
+const WITHOUT_SCALE: &str = "the scale that is stated for it cannot be used";
+
+impl Reader<'_> {
+    /// Whose answers these are, and in which units.
+    fn heads(&mut self, fields: &Fields<'_, '_>) {
+        let mut text = |key: &str, what: &str| {
+            let read = fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
+            self.answers.grasp(key, None, read).flatten()
         };
-        // From metres of paper to millimetres.
-        for (key, dimension, measure) in [
-            ("length", Dimension::Length, Measure::Length),
-            ("velocity", Dimension::Velocity, Measure::Velocity),
-            ("acceleration", Dimension::Acceleration, Measure::Acceleration),
+        text("$schema", "the address of the schema");
+        let student = text("student", "a name, as text");
+        text("variant", "the number of a variant, as text");
+        let drawing = text("drawing", "the name of an SVG file");
+        self.answers.student = student;
+        self.answers.drawing = drawing;
+        self.answers.drawing_at = fields.get("drawing").map_or(0, |value| value.at);
+        let units = Scales::read(fields.get("units"), Some(&self.scene.units));
+        match self.answers.grasp("units", None, units) {
+            Some(scales) => self.scales = scales,
+            None => self.units_lost = true,
+        }
+    }
+
+    /// Refuses what is given twice within one field.
+    fn once(&self, entry: &Entry<'_>, end: usize) -> Res<()> {
+        let mut twice = self.twice.iter();
+        let inside = twice.find(|fault| entry.at < fault.at && fault.at < end);
+        inside.map_or(Ok(()), |fault| Err(fault.clone()))
+    }
+
+    /// The entries of a key; none where it is no object, which is noted.
+    fn entries<'v, 'a>(&mut self, fields: &Fields<'v, 'a>, key: &str, what: &str) -> &'v [Entry<'a>] {
+        self.answers.grasp(key, None, entries(fields, key, what)).unwrap_or(&[])
+    }
+
+    fn values(&mut self, fields: &Fields<'_, '_>, end: usize) -> Res<()> {
+        let entries = self.entries(fields, "values", "values, by name of the quantity");
+        let names = Names::new(&self.scene.mechanism, &self.scales);
+        for (entry, end) in spans(entries, end) {
+            self.answers.count(entry.at)?;
+            let asked = quantity(&names, &entry.key, entry.at, self.scene);
+            let Some(asked) = self.answers.grasp(&entry.key, None, asked) else { continue };
+            let (of, measure) = (asked.quantity, asked.quantity.measure());
+            // A box that was left empty: not answered.
+            if is_blank(&entry.value) {
+                continue;
+            }
+            let read = self.once(entry, end).and_then(|()| refuse_commas(&entry.value));
+            let read = read.and_then(|()| match self.units_lost {
+                true => refuse_bare(&entry.value, measure),
+                false => Ok(()),
+            });
+            let item = read.and_then(|()| value(asked, entry, &self.scales));
+            let item = self.answers.grasp(&entry.key, Some(of), item);
+            self.answers.items.extend(item.flatten());
+        }
+        Ok(())
+    }
+
+    fn stated_scales(&mut self, fields: &Fields<'_, '_>) {
+        let Some(value) = fields.get("scales") else { return };
+        let stated = Fields::among(value, SCALES, "scales by diagram");
+        let Some(stated) = self.answers.grasp("scales", None, stated) else {
+            self.answers.lost_scales = SCALES.to_vec();
+            return;
+        };
+        // Whoever states a scale for something else may have meant any that he does not state.
+        for (key, fault) in stated.unknown() {
+            self.answers.miss(&format!("scales.{key}"), None, fault);
+            self.answers.lost_scales =
+                SCALES.iter().copied().filter(|key| stated.get(key).is_none()).collect();
+        }
+        for (key, measure) in [
+            ("length", Measure::Length),
+            ("velocity", Measure::Velocity),
+            ("acceleration", Measure::Acceleration),
+            ("force", Measure::Force),
         ] {
-            answers.scales.0[dimension as usize] = scale(key, measure, 1000.0)?;
-            answers.scales_at[dimension as usize] = stated.get(key).map_or(0, |value| value.at);
-        }
-        answers.scales.1 = scale("force", Measure::Force, 1000.0)?;
-    }
-    for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
-        let asked = quantity(&names, &entry.key, entry.at, scene)?;
-        if is_blank(&entry.value) {
-            continue;
-        }
-        let (mm, rounding) = plain(&entry.value, "a length in mm")?;
-        let item = drawn(asked, mm, rounding, entry.at)?;
-        answers.count(entry.at)?;
-        answers.items.push(item);
-    }
-    let scans =
-        fields.get("scan").map(|v| Fields::of(v, FIGURES, "reference points by figure")).transpose()?;
-    if let Some(figures) = fields.get("points") {
-        let figures = Fields::of(figures, FIGURES, "points by figure")?;
-        for &key in FIGURES {
-            let Some(value) = figures.get(key) else { continue };
-            let scan = scans.and_then(|s| s.get(key)).map(scan).transpose()?;
-            let figure = figure(key, value, scan)?;
-            answers.figures.push(figure);
-            answers.count_points(value.at)?;
-        }
-    }
-    if let Some(scans) = scans {
-        for &key in FIGURES {
-            let read = order_of(key).is_some_and(|o| answers.figures.iter().any(|f| f.order == o));
-            if let (Some(entry), false) = (scans.entry(key), read) {
-                let fault = Fault::new(entry.at, format!("no points of the {key} figure are given"));
-                return Err(fault.mend(format!("give them in `points.{key}`, in pixels")));
+            let Some(value) = stated.get(key) else { continue };
+            let bare = || if self.units_lost { refuse_bare(value, measure) } else { Ok(()) };
+            let read = refuse_commas(value).and_then(|()| bare());
+            let read = read.and_then(|()| drawing_scale(value, measure, &self.scales));
+            let Some(scale) = self.answers.grasp(&format!("scales.{key}"), None, read) else {
+                self.answers.lost_scales.push(key);
+                continue;
+            };
+            // From metres of paper to millimetres.
+            let scale = Some(scale / 1000.0);
+            match Dimension::ALL.into_iter().find(|dimension| scale_of_dimension(*dimension) == key) {
+                Some(dimension) => {
+                    self.answers.scales.0[dimension as usize] = scale;
+                    self.answers.scales_at[dimension as usize] = value.at;
+                }
+                None => self.answers.scales.1 = scale,
             }
         }
     }
-    tolerances(&fields, &names, &scales, &mut answers)?;
-    Ok(answers)
+
+    fn lengths(&mut self, fields: &Fields<'_, '_>, end: usize) -> Res<()> {
+        let what = "lengths on the drawing in mm, by name of the quantity";
+        let entries = self.entries(fields, "lengths", what);
+        let names = Names::new(&self.scene.mechanism, &self.scales);
+        for (entry, end) in spans(entries, end) {
+            self.answers.count(entry.at)?;
+            let asked = quantity(&names, &entry.key, entry.at, self.scene);
+            let Some(asked) = self.answers.grasp(&entry.key, None, asked) else { continue };
+            if is_blank(&entry.value) {
+                continue;
+            }
+            let of = asked.quantity;
+            let scale = match of {
+                Quantity::Force(..) => "force",
+                _ => scale_of(of.order()),
+            };
+            let read = self.once(entry, end).and_then(|()| refuse_commas(&entry.value));
+            let read = read.and_then(|()| match self.answers.lost_scales.contains(&scale) {
+                true => Err(Fault::new(entry.at, WITHOUT_SCALE)),
+                false => Ok(()),
+            });
+            let item = read.and_then(|()| {
+                let (mm, rounding) = plain(&entry.value, "a length in mm")?;
+                drawn(asked, mm, rounding, entry.at)
+            });
+            let item = self.answers.grasp(&entry.key, Some(of), item);
+            self.answers.items.extend(item);
+        }
+        Ok(())
+    }
+
+    fn points(&mut self, fields: &Fields<'_, '_>, end: usize) -> Res<()> {
+        let figures = |key: &str, what: &str| {
+            fields.get(key).map(|value| Fields::among(value, FIGURES, what)).transpose()
+        };
+        let scans = figures("scan", "reference points by figure");
+        let unread_scan = scans.is_err();
+        let scans = self.answers.grasp("scan", None, scans).flatten();
+        let points = figures("points", "points by figure");
+        let points = self.answers.grasp("points", None, points).flatten();
+        for (key, of) in [("scan", scans), ("points", points)] {
+            for (name, fault) in of.into_iter().flat_map(Fields::unknown) {
+                self.answers.miss(&format!("{key}.{name}"), None, fault);
+            }
+        }
+        let all = fields.get("points").and_then(|value| value.object("").ok()).unwrap_or(&[]);
+        for (entry, end) in spans(all, end) {
+            let Some(order) = order_of(&entry.key) else { continue };
+            let scan = scans.and_then(|scans| scans.get(&entry.key)).map(scan).transpose();
+            let lost = match (&scan, unread_scan) {
+                (Err(_), _) | (_, true) => Err("the reference points of its scan are not understood"),
+                _ if self.answers.lost_scales.contains(&scale_of(order)) => Err(WITHOUT_SCALE),
+                _ => Ok(()),
+            };
+            let scan = self.answers.grasp(&format!("scan.{}", entry.key), None, scan).flatten();
+            let lost = lost.map_err(|why| Fault::new(entry.at, why));
+            let figure = format!("points.{}", entry.key);
+            if self.answers.grasp(&figure, None, lost).is_some() {
+                self.figure((order, figure), entry, scan, end)?;
+            }
+        }
+        for entry in fields.get("scan").and_then(|value| value.object("").ok()).unwrap_or(&[]) {
+            let given = all.iter().any(|figure| figure.key == entry.key);
+            if order_of(&entry.key).is_some() && !given {
+                let key = &entry.key;
+                let fault = Fault::new(entry.at, format!("no points of the {key} figure are given"));
+                let fault = fault.mend(format!("give them in `points.{key}`, in pixels"));
+                self.answers.miss(&format!("scan.{key}"), None, fault);
+            }
+        }
+        Ok(())
+    }
+
+    /// The points of one figure.
+    fn figure(
+        &mut self,
+        (order, name): (Order, String),
+        figure: &Entry<'_>,
+        scan: Option<Scan>,
+        end: usize,
+    ) -> Res<()> {
+        let points = figure.value.object("points in mm, by their names");
+        let Some(points) = self.answers.grasp(&name, None, points) else { return Ok(()) };
+        self.answers.figures.push(FigurePoints { order, points: Vec::new(), shared: Vec::new() });
+        for (entry, end) in spans(points, end) {
+            self.answers.count(entry.at)?;
+            let read = self.once(entry, end).and_then(|()| refuse_commas(&entry.value));
+            let place = read.and_then(|()| pair(&entry.value, "a point [x, y]")).and_then(|place| {
+                let place = scan.map_or(place, |scan| scan.to_paper(place));
+                on_paper(place[0], entry.value.at)?;
+                on_paper(place[1], entry.value.at)?;
+                Ok(place)
+            });
+            let place = self.answers.grasp(&format!("{}:{}", figure.key, entry.key), None, place);
+            if let (Some(place), Some(figure)) = (place, self.answers.figures.last_mut()) {
+                figure.points.push((entry.key.clone(), place, entry.at));
+            }
+        }
+        Ok(())
+    }
+
+    /// `tolerance`: the hand, or a tolerance by name.
+    fn tolerances(&mut self, fields: &Fields<'_, '_>) {
+        let entries = self.entries(fields, "tolerance", "tolerances, by name");
+        let names = Names::new(&self.scene.mechanism, &self.scales);
+        for entry in entries {
+            let read = refuse_commas(&entry.value);
+            let read = read.and_then(|()| tolerance(entry, &names, &self.scales, &mut self.answers));
+            self.answers.grasp(&format!("tolerance.{}", entry.key), None, read);
+        }
+    }
+}
+
+/// A figure's scale, as reports name it.
+pub(super) fn scale_name(order: Order) -> String {
+    format!("scales.{}", scale_of(order))
+}
+
+/// The scale that a file states for a figure.
+fn scale_of(order: Order) -> &'static str {
+    scale_of_dimension(order.dimension())
+}
+
+fn scale_of_dimension(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => "length",
+        Dimension::Velocity => "velocity",
+        Dimension::Acceleration => "acceleration",
+    }
 }
 
 fn entries<'v, 'a>(fields: &Fields<'v, 'a>, key: &str, what: &str) -> Res<&'v [Entry<'a>]> {
     fields.get(key).map_or(Ok(&[]), |value| value.object(what))
 }
 
-/// A quantity written in two spellings is written twice: once more than it is asked.
-fn refuse_twice(before: &[Item], item: &Item, asked: &[Quantity]) -> Res<()> {
-    let quantity = item.asked.quantity;
-    let written = before
-        .iter()
-        .filter(|other| other.asked.quantity == quantity && !matches!(other.given, Given::Drawn(_)));
-    if written.count() >= asked.iter().filter(|asked| **asked == quantity).count().max(1) {
-        let fault = Fault::new(item.at, format!("`{}` is answered twice", item.asked.name));
-        return Err(fault.mend("keep one of the two"));
-    }
-    Ok(())
-}
-
 /// Whether nothing was written.
-fn is_blank(value: &Value<'_>) -> bool {
+pub(super) fn is_blank(value: &Value<'_>) -> bool {
     match &value.kind {
         Kind::Null => true,
         Kind::Text(text) => text.trim().is_empty(),
@@ -466,25 +725,29 @@ fn letters(symbol: &str) -> String {
     plain.replace("epsilon", "alpha")
 }
 
-/// One entry of `values`.
-fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Item> {
+/// One entry of `values`; nothing where its boxes were left empty.
+fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Option<Item>> {
     match &entry.value.kind {
-        Kind::List(_) => components(asked, &entry.value, None, entry.at, scales),
-        Kind::Object(_) => {
+        Kind::List(_) => components(asked, &entry.value, None, entry.at, scales).map(Some),
+        Kind::Object(all) => {
             let expected = "a value, such as {\"magnitude\": \"1.2 m/s\", \"direction\": \"37 deg\"}";
             let fields = Fields::of(&entry.value, VALUE, expected)?;
-            let unit = fields.get("unit").map(|unit| -> Res<Scale> {
+            if !all.is_empty() && all.iter().all(|entry| is_blank(&entry.value) || entry.key == "unit") {
+                return Ok(None);
+            }
+            let written = |key: &str| fields.get(key).filter(|value| !is_blank(value));
+            let unit = written("unit").map(|unit| -> Res<Scale> {
                 let symbol = unit.text("the name of a unit")?;
                 Scale::parse(symbol, unit.at)?.must_be(asked.quantity.measure(), unit.at)
             });
             let unit = unit.transpose()?;
-            if let Some(list) = fields.get("components") {
+            if let Some(list) = written("components") {
                 fields
                     .refuse(&["value", "magnitude", "direction", "sense"], "the components say everything")?;
                 let item = components(asked, list, unit, entry.at, scales)?;
-                return through(item, fields.get("through"), scales);
+                return through(item, written("through"), scales).map(Some);
             }
-            let size = match (fields.get("value"), fields.get("magnitude")) {
+            let size = match (written("value"), written("magnitude")) {
                 (Some(value), None) => value,
                 (None, Some(value)) => value,
                 (Some(_), Some(magnitude)) => {
@@ -492,7 +755,7 @@ fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Item> {
                 }
                 (None, None) => return Err(Fault::new(entry.at, "`magnitude` or `components` is missing")),
             };
-            let sense = fields.get("sense").map(|sense| match sense.text("cw or ccw")? {
+            let sense = written("sense").map(|sense| match sense.text("cw or ccw")? {
                 "cw" => Ok(-1.0),
                 "ccw" => Ok(1.0),
                 other => {
@@ -500,12 +763,10 @@ fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Item> {
                 }
             });
             let sense = sense.transpose()?;
-            let direction = fields
-                .get("direction")
-                .map(|d| scales.given(d, Measure::Angle).map(|g| g.value))
-                .transpose()?;
+            let direction =
+                written("direction").map(|d| scales.given(d, Measure::Angle).map(|g| g.value)).transpose()?;
             let mut item = scalar(asked, size, unit, entry.at, scales)?;
-            if let (Given::Signed(value), true) = (item.given, fields.get("magnitude").is_some())
+            if let (Given::Signed(value), true) = (item.given, written("magnitude").is_some())
                 && value < 0.0
             {
                 let fault = Fault::new(size.at, "a magnitude is not negative");
@@ -518,9 +779,9 @@ fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Item> {
                 Some(angle) => directed(item, angle)?,
                 None => item,
             };
-            through(item, fields.get("through"), scales)
+            through(item, written("through"), scales).map(Some)
         }
-        _ => scalar(asked, &entry.value, None, entry.at, scales),
+        _ => scalar(asked, &entry.value, None, entry.at, scales).map(Some),
     }
 }
 
@@ -740,62 +1001,53 @@ fn scan(value: &Value<'_>) -> Res<Scan> {
     })
 }
 
-fn figure(key: &str, value: &Value<'_>, scan: Option<Scan>) -> Res<FigurePoints> {
-    let mut points: Vec<(String, [f64; 2], usize)> = Vec::new();
-    for Entry { at, key, value } in value.object("points in mm, by their names")? {
-        let place = pair(value, "a point [x, y]")?;
-        let place = scan.map_or(place, |scan| scan.to_paper(place));
-        on_paper(place[0], value.at)?;
-        on_paper(place[1], value.at)?;
-        points.push((key.clone(), place, *at));
-    }
-    Ok(FigurePoints { order: order_of(key).unwrap_or(Order::Velocity), points, shared: Vec::new() })
-}
-
-/// `tolerance`: the hand, or a tolerance by name.
-fn tolerances(fields: &Fields<'_, '_>, names: &Names<'_>, scales: &Scales, answers: &mut Answers) -> Res<()> {
-    for Entry { at, key, value } in entries(fields, "tolerance", "tolerances, by name")? {
-        match key.as_str() {
-            "length" => {
-                let text = matches!(value.kind, Kind::Text(_));
-                let mm = if text {
-                    scales.given(value, Measure::Length)?.value * 1000.0
-                } else {
-                    plain(value, "mm")?.0
-                };
-                answers.hand.0 = Some(bounded(mm, 10.0, value.at, "mm")?);
-            }
-            "angle" => {
-                let angle = scales.given(value, Measure::Angle)?.value;
-                answers.hand.1 = Some(bounded(angle.to_degrees(), 10.0, value.at, "deg")?.to_radians());
-            }
-            name => {
-                let asked = names.quantity(name, *at)?;
-                let percent = match &value.kind {
-                    Kind::Text(text) => Words::split(text).filter(|w| w.unit == "%"),
-                    _ => None,
-                };
-                let tolerance = match percent {
-                    Some(words) => {
-                        let percent = number(words.digits, value.at)?.value;
-                        if percent > MOST_PERCENT {
-                            let what = format!("a tolerance of more than {MOST_PERCENT} %");
-                            return Err(Fault::new(value.at, what));
-                        }
-                        Tolerance::Part(percent / 100.0)
+/// One entry of `tolerance`: the hand, or a tolerance by name.
+fn tolerance(
+    Entry { at, key, value }: &Entry<'_>,
+    names: &Names<'_>,
+    scales: &Scales,
+    answers: &mut Answers,
+) -> Res<()> {
+    match key.as_str() {
+        "length" => {
+            let text = matches!(value.kind, Kind::Text(_));
+            let mm = if text {
+                scales.given(value, Measure::Length)?.value * 1000.0
+            } else {
+                plain(value, "mm")?.0
+            };
+            answers.hand.0 = Some(bounded(mm, 10.0, value.at, "mm")?);
+        }
+        "angle" => {
+            let angle = scales.given(value, Measure::Angle)?.value;
+            answers.hand.1 = Some(bounded(angle.to_degrees(), 10.0, value.at, "deg")?.to_radians());
+        }
+        name => {
+            let asked = names.quantity(name, *at)?;
+            let percent = match &value.kind {
+                Kind::Text(text) => Words::split(text).filter(|w| w.unit == "%"),
+                _ => None,
+            };
+            let tolerance = match percent {
+                Some(words) => {
+                    let percent = number(words.digits, value.at)?.value;
+                    if percent > MOST_PERCENT {
+                        let what = format!("a tolerance of more than {MOST_PERCENT} %");
+                        return Err(Fault::new(value.at, what));
                     }
-                    None => {
-                        let default = default_scale(&asked.quantity, scales);
-                        let stated = scales.stated(value, asked.quantity.measure(), false, &default)?;
-                        Tolerance::Amount(stated.given.value)
-                    }
-                };
-                let (Tolerance::Part(size) | Tolerance::Amount(size)) = tolerance;
-                if size.is_nan() || size <= 0.0 {
-                    return Err(Fault::new(value.at, "a tolerance is greater than zero"));
+                    Tolerance::Part(percent / 100.0)
                 }
-                answers.tolerances.push((asked.name, tolerance));
+                None => {
+                    let default = default_scale(&asked.quantity, scales);
+                    let stated = scales.stated(value, asked.quantity.measure(), false, &default)?;
+                    Tolerance::Amount(stated.given.value)
+                }
+            };
+            let (Tolerance::Part(size) | Tolerance::Amount(size)) = tolerance;
+            if size.is_nan() || size <= 0.0 {
+                return Err(Fault::new(value.at, "a tolerance is greater than zero"));
             }
+            answers.tolerances.push((asked.name, tolerance));
         }
     }
     Ok(())

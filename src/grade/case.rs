@@ -1,6 +1,7 @@
 //! One student's answers beside the right construction: what each answer is of, in which step it is found, what
 //! any changed construction would make of it, and how far off a careful hand may be.
 
+use std::borrow::Cow;
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::PI;
@@ -8,8 +9,10 @@ use std::f64::consts::PI;
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InputChange, Misreading, Stray, Which};
 use super::force_mistakes::same as same_force;
+use super::phrase::{Phrase, say};
 use super::symbols::Symbols;
 use super::turned::{self, Turns};
+use super::unread::Unread;
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
 use crate::graphical::construction::{
@@ -25,7 +28,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
-use crate::sheet::{HandedIn, OwnForce, Symbol};
+use crate::sheet::{HandedIn, Language, OwnForce, Symbol};
 use crate::solve::{self, Solved};
 use crate::tolerance::{self, Ground, Standard, Tolerated};
 
@@ -115,6 +118,10 @@ pub(super) struct Case<'s> {
     pub(super) by_parts: bool,
     /// Whether the answers state tolerances that do not count.
     pub(super) tolerances_ignored: bool,
+    /// What of the answers is not understood.
+    pub(super) unread: Vec<Unread>,
+    /// In which language everything is told.
+    pub(super) language: Language,
 }
 
 /// By how much an answer may be off.
@@ -135,6 +142,13 @@ impl Room {
     /// So many times as wide.
     pub(super) fn times(self, factor: f64) -> Self {
         Self { by: factor * self.by, turn: factor * self.turn }
+    }
+
+    /// The same for a vector that is so long instead of `right`: whoever is off by as much at the head of a shorter one is off
+    /// by more of its direction.
+    pub(super) fn of_size(self, long: f64, right: f64) -> Self {
+        let shorter = if long > 0.0 { (right / long).max(1.0) } else { 1.0 };
+        Self { turn: (self.turn * shorter).max(self.turn), ..self }
     }
 
     /// The wider of two.
@@ -207,7 +221,7 @@ pub(super) struct Found<'f> {
 }
 
 /// A figure as answers name it.
-fn figure_name(order: Order) -> &'static str {
+pub(super) fn figure_name(order: Order) -> &'static str {
     match order {
         Order::Position => "skeleton",
         Order::Velocity => "velocity",
@@ -240,7 +254,8 @@ impl<'s> Case<'s> {
         let own = solve::solve(scene, Extent::WholeSkeleton, crate::sheet::scale::for_scene)?;
         // Nobody is graded by a solution that is not confirmed.
         crate::check::confirm(scene, &own)?;
-        on_a_sheet(&own, answers)?;
+        let (answers, mut unread) = on_a_sheet(&own, answers);
+        let answers = &*answers;
         let scales =
             Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
         // Nobody sets the tolerance of what he hands in.
@@ -294,15 +309,25 @@ impl<'s> Case<'s> {
             enlarged: None,
             by_parts: settings.by_parts,
             tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
+            unread: Vec::new(),
+            language: settings.language,
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
-        let figures = answers.figures.iter().map(|figure| case.found(answers, figure));
-        let mut figures: Vec<Found<'_>> = figures.collect::<Result<_, _>>()?;
+        let figures = answers.figures.iter().map(|figure| case.found(answers, figure, &mut unread));
+        let mut figures: Vec<Found<'_>> = figures.collect();
         case.take_to_scale(&mut figures);
         case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
         for figure in figures {
-            case.observe_points(answers, figure)?;
+            unread.extend(case.observe_points(answers, figure).err());
+        }
+        case.unread = answers.unread().into_iter().chain(unread).collect();
+        for index in 0..case.unread.len() {
+            let point = case.quantity_of_point(&case.unread[index].name);
+            case.unread[index].quantity = case.unread[index].quantity.or(point);
+        }
+        if let (true, Some(first)) = (case.observations.is_empty(), case.unread.first()) {
+            return Err(GradeError::Answers(first.why.clone()));
         }
         case.observations.sort_by_key(|observation| observation.rank);
         case.truth = case.seen(&case.right, &Change::default());
@@ -376,28 +401,31 @@ impl<'s> Case<'s> {
     pub(super) fn symbols(&self) -> Symbols {
         let scene = self.scene;
         let mut all: Vec<(String, Symbol)> = Vec::new();
+        let alone: fn(&str) -> Phrase = |name| Phrase::from(name);
         for observation in &self.observations {
-            let (of, symbol) = match (observation.target, observation.quantity) {
+            let (of, symbol): (fn(&str) -> Phrase, Symbol) = match (observation.target, observation.quantity)
+            {
                 (Target::Image(order, label), _) => {
-                    let of = if order == Order::Velocity { "velocity" } else { "acceleration" };
-                    (Some(format!("{of} polygon")), crate::sheet::image_symbol(scene, label, order.diagram()))
+                    let figure = match order {
+                        Order::Velocity => |name: &str| say!("{} (velocity polygon)", name),
+                        _ => |name: &str| say!("{} (acceleration polygon)", name),
+                    };
+                    (figure, crate::sheet::image_symbol(scene, label, order.diagram()))
                 }
                 (Target::Place(point), _) => {
-                    (Some("skeleton".to_owned()), crate::sheet::symbol(scene, Quantity::Position(point)))
+                    let figure = |name: &str| say!("{} (skeleton)", name);
+                    (figure, crate::sheet::symbol(scene, Quantity::Position(point)))
                 }
                 (Target::Line(index, _), _) => {
-                    let symbol = crate::sheet::symbol(scene, self.mechanism.asked[index].quantity);
-                    let told = |text: &str| format!("line of {text}");
-                    (None, Symbol { plain: told(&symbol.plain), html: told(&symbol.html) })
+                    let line = |name: &str| say!("line of {}", name);
+                    (line, crate::sheet::symbol(scene, self.mechanism.asked[index].quantity))
                 }
-                (Target::Asked(_), Some(quantity)) => (None, self.symbol(quantity)),
+                (Target::Asked(_), Some(quantity)) => (alone, self.symbol(quantity)),
                 (Target::Asked(_), None) => continue,
             };
-            let with = |text: String| of.as_ref().map_or(text.clone(), |of| format!("{text} ({of})"));
-            all.push((
-                observation.name.clone(),
-                Symbol { plain: with(symbol.plain), html: with(symbol.html) },
-            ));
+            let told = |name: &str| of(name).told(self.language);
+            let symbol = Symbol { plain: told(&symbol.plain), html: told(&symbol.html) };
+            all.push((observation.name.clone(), symbol));
         }
         let asked = self.scene.mechanism.asked.iter().map(|asked| (asked.name.clone(), asked.quantity));
         let named = self.named.borrow();
@@ -416,7 +444,7 @@ impl<'s> Case<'s> {
         let unnamed = unnamed.filter(|(index, load)| load.name == format!("load {}", index + 1));
         match unnamed.map(|(_, load)| load.link) {
             Some(link) => {
-                let told = format!("the load on link {}", self.mechanism.link(link).number);
+                let told = say!("the load on link {}", self.mechanism.link(link).number).told(self.language);
                 Symbol { plain: told.clone(), html: told }
             }
             None => crate::sheet::symbol(self.scene, quantity),
@@ -565,28 +593,33 @@ impl<'s> Case<'s> {
         }
     }
 
-    /// The points of a figure by what they are.
-    fn found<'f>(&self, answers: &Answers, figure: &'f FigurePoints) -> Result<Found<'f>, GradeError> {
+    /// The points of a figure by what they are; what names none is noted.
+    fn found<'f>(&self, answers: &Answers, figure: &'f FigurePoints, unread: &mut Vec<Unread>) -> Found<'f> {
         let order = figure.order;
         let known = self.point_names(order);
+        let mut miss = |name: &str, at: usize, what: String, mend: String| {
+            let name = format!("{}:{name}", figure_name(order));
+            let why = answers.complain(at, what, Some(mend));
+            unread.push(Unread { name, quantity: None, why });
+        };
         let mut found = Vec::new();
         for (name, at, place) in figure.points.iter().map(|(name, at, place)| (name, *at, *place)) {
             let plain = plain_name(name, order);
-            let Some((_, target)) = known.iter().find(|(known, _)| *known == plain) else {
+            let target = known.iter().find(|(known, _)| *known == plain).map(|(_, target)| *target);
+            if target.is_none() {
                 let figure = figure_name(order);
-                let what = format!("the {figure} figure of this solution has no point `{name}`");
                 let mut names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
                 let mut told = HashSet::new();
                 names.retain(|name| told.insert(*name));
                 names.truncate(16);
-                let mend = format!("its points are {}", names.join(", "));
-                return Err(GradeError::Answers(answers.complain(place, what, Some(mend))));
-            };
-            found.push((name, at, *target));
+                let what = format!("the {figure} figure of this solution has no point `{name}`");
+                miss(name, place, what, format!("its points are {}", names.join(", ")));
+            }
+            found.push(target.map(|target| (name.as_str(), at, target)));
         }
         for pair in &figure.shared {
             let place = |index: usize| -> Option<[f64; 2]> {
-                match found.get(index)?.2 {
+                match found.get(index)?.as_ref()?.2 {
                     Target::Image(_, Label::Pole) => Some([0.0; 2]),
                     Target::Image(order, label) => {
                         let images = &polygon(&self.right.construction, order)?.images;
@@ -599,18 +632,41 @@ impl<'s> Case<'s> {
             let [one, other] = pair.map(place);
             let one_point =
                 one.zip(other).is_some_and(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]) <= ONE_POINT);
-            if !one_point {
-                let [one, other] = pair.map(|index| figure.points.get(index).map_or("", |(name, ..)| name));
-                let at = figure.points.get(pair[0]).map_or(0, |(.., at)| *at);
-                let what = format!("`{one}` and `{other}` stand beside one mark");
-                let mend = format!(
-                    "give each a dot of its own, or write `{one}, {other}` in one text if they are one point"
-                );
-                return Err(GradeError::Answers(answers.complain(at, what, Some(mend))));
+            if one_point {
+                continue;
+            }
+            // Which of the two the mark is, nobody can tell.
+            let [one, other] = pair.map(|index| figure.points.get(index).map_or("", |(name, ..)| name));
+            let mend = format!(
+                "give each a dot of its own, or write `{one}, {other}` in one text if they are one point"
+            );
+            for &index in pair {
+                let place = figure.points.get(index).map_or(0, |(.., place)| *place);
+                if let Some((name, ..)) = found.get_mut(index).and_then(Option::take) {
+                    let what = format!("`{one}` and `{other}` stand beside one mark");
+                    miss(name, place, what, mend.clone());
+                }
             }
         }
-        let points = found.into_iter().map(|(name, at, target)| (name.as_str(), at, target)).collect();
-        Ok(Found { figure, points })
+        Found { figure, points: found.into_iter().flatten().collect() }
+    }
+
+    /// The vector or the place that a point of a figure shows, by its name in reports.
+    fn quantity_of_point(&self, name: &str) -> Option<Quantity> {
+        let (figure, point) = name.split_once(':')?;
+        let order = super::answers::order_of(figure)?;
+        let plain = plain_name(point, order);
+        let (_, target) = self.point_names(order).into_iter().find(|(known, _)| *known == plain)?;
+        match target {
+            Target::Place(point) => Some(Quantity::Position(point)),
+            Target::Image(Order::Velocity, Label::Image { point, link: None }) => {
+                Some(Quantity::Velocity(point))
+            }
+            Target::Image(Order::Acceleration, Label::Image { point, link: None }) => {
+                Some(Quantity::Acceleration(point))
+            }
+            _ => None,
+        }
     }
 
     /// Takes a skeleton that is drawn as a whole at another scale, and none is stated, to that of the sheet.
@@ -627,16 +683,24 @@ impl<'s> Case<'s> {
     }
 
     /// Points of a figure, from its pole; those of the skeleton from its fixed points.
-    fn observe_points(&mut self, answers: &Answers, found: Found<'_>) -> Result<(), GradeError> {
+    ///
+    /// # Errors
+    /// Nothing tells how the figure lies: none of its points is read.
+    fn observe_points(&mut self, answers: &Answers, found: Found<'_>) -> Result<(), Unread> {
         let Found { figure, points } = found;
         let order = figure.order;
+        // Nothing of it was understood, which is told already.
+        if points.is_empty() {
+            return Ok(());
+        }
         let onto = self.onto_figure(order, &points).ok_or_else(|| {
             let place = figure.points.first().map_or(0, |(.., place)| *place);
             let (what, mend) = match order {
                 Order::Position => ("no fixed point of the skeleton is given", "give one, or better two"),
                 _ => ("the pole is missing", "give it as `o`: vectors are measured from there"),
             };
-            GradeError::Answers(answers.complain(place, what, Some(mend.to_owned())))
+            let why = answers.complain(place, what, Some(mend.to_owned()));
+            Unread { name: format!("points.{}", figure_name(order)), quantity: None, why }
         })?;
         let si = self.si_per_mm(order);
         for (name, at, target) in points {
@@ -1561,8 +1625,10 @@ fn is_place(observation: &Observation) -> bool {
         )
 }
 
-/// Refuses a stated scale at which the right solution would be on no paper, or nothing that is seen.
-fn on_a_sheet(own: &Solved, answers: &Answers) -> Result<(), GradeError> {
+/// The answers without the scales at which the right solution would be on no paper, or nothing that is seen, and without
+/// what was measured by them; and what is said of these.
+fn on_a_sheet<'a>(own: &Solved, answers: &'a Answers) -> (Cow<'a, Answers>, Vec<Unread>) {
+    let (mut left, mut unread) = (Cow::Borrowed(answers), Vec::new());
     for order in [Order::Position, Order::Velocity, Order::Acceleration] {
         let dimension = order.dimension();
         let Some(stated) = answers.scales.of(dimension) else { continue };
@@ -1585,11 +1651,12 @@ fn on_a_sheet(own: &Solved, answers: &Answers) -> Result<(), GradeError> {
         if mm > limits::PAPER_MM || (mm > 0.0 && mm < UNSEEN) {
             let what = format!("at this scale the right drawing would be {mm:.0e} mm large");
             let mend = "write what a millimetre of paper stands for: \"50 mm/s per mm\"";
-            let at = answers.scales_at[dimension as usize];
-            return Err(GradeError::Answers(answers.complain(at, what, Some(mend.to_owned()))));
+            let why = answers.complain(answers.scales_at[dimension as usize], what, Some(mend.to_owned()));
+            unread.push(Unread { name: super::answers::scale_name(order), quantity: None, why });
+            unread.extend(left.to_mut().without_scale(order));
         }
     }
-    Ok(())
+    (left, unread)
 }
 
 /// Nobody sees a drawing that is smaller (mm).

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::judge::Verdict;
+use super::phrase::say;
 use super::report::Report;
 use super::text::marks;
 
@@ -17,6 +18,8 @@ pub struct HandIn {
 
 /// What stands in the place of a mistake where somebody hands in the answers of another variant.
 const OTHER_VARIANT: &str = "other-variant";
+/// The same of a field that is not understood.
+const NOT_READ: &str = "not-read";
 
 /// A fault that several made.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,18 +41,26 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
     for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
         let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
         if let Some(variant) = &report.other_variant {
-            let text = format!("the answers of variant {variant}");
-            own.insert((OTHER_VARIANT, variant.clone()), text);
+            let text = say!("the answers of variant {}", variant);
+            own.insert((OTHER_VARIANT, variant.clone()), report.says(&text));
         }
+        own.extend(
+            report
+                .not_read
+                .iter()
+                .map(|one| ((NOT_READ, one.name.clone()), report.says(&say!("{}: not read", one.name)))),
+        );
         let wrong = report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
         for graded in wrong.filter(|_| report.other_variant.is_none()) {
             match graded.mistakes.first() {
-                Some(mistake) => own.extend(mistake.parts().map(|part| {
-                    ((part.kind.name(), part.at.clone()), report.symbols.plain(&part.own_text()))
-                })),
+                Some(mistake) => own.extend(
+                    mistake
+                        .parts()
+                        .map(|part| ((part.kind.name(), part.at.to_string()), report.says(&part.own_text()))),
+                ),
                 None => {
-                    let text = report.symbols.plain(&format!("{}: no known mistake fits", graded.name));
-                    own.insert(("unknown", graded.name.clone()), text);
+                    let text = say!("{}: no known mistake fits", graded.name);
+                    own.insert(("unknown", graded.name.clone()), report.says(&text));
                 }
             }
         }
@@ -72,7 +83,9 @@ pub fn class_csv(class: &[HandIn]) -> String {
     let reports = || class.iter().filter_map(|one| one.outcome.as_ref().ok());
     for report in reports() {
         let own = report.quantities.iter().map(|graded| graded.name.as_str());
-        for name in own.chain(report.missing.iter().map(|(name, _)| name.as_str())).map(column) {
+        let unread = report.not_read.iter().map(|one| one.name.as_str());
+        let missing = report.missing.iter().map(|(name, _)| name.as_str());
+        for name in own.chain(missing).chain(unread).map(column) {
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -109,7 +122,13 @@ pub fn class_csv(class: &[HandIn]) -> String {
                 fields.extend(names.iter().map(|name| {
                     let graded = report.quantities.iter().find(|graded| column(&graded.name) == *name);
                     let missing = report.missing.iter().any(|(missing, _)| column(missing) == *name);
-                    graded.map_or(if missing { "missing" } else { "" }.to_owned(), |graded| {
+                    let unread = report.not_read.iter().any(|one| column(&one.name) == *name);
+                    let silent = match (unread, missing) {
+                        (true, _) => NOT_READ,
+                        (false, true) => "missing",
+                        (false, false) => "",
+                    };
+                    graded.map_or(silent.to_owned(), |graded| {
                         let silent = graded.silent().map(|untold| format!(" without {untold}"));
                         format!("{}{}", graded.verdict.name(), silent.unwrap_or_default())
                     })

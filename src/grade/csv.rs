@@ -1,11 +1,12 @@
 //! Answers as CSV: one row per quantity, or one row per point.
 
 use super::answers::{
-    Answers, FigurePoints, directed, drawn, on_paper, order_of, quantity as asked_by, scalar, turned, vector,
+    Answers, FigurePoints, Item, directed, drawn, on_paper, order_of, quantity as asked_by, scalar, turned,
+    vector,
 };
 use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_sense, with_plain_unit};
 use crate::limits;
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Asked, Order, Quantity};
 use crate::scene::Scene;
 use crate::scene::asked::Names;
 use crate::scene::diagnostic::{Fault, Res};
@@ -18,15 +19,21 @@ const POINT: [&str; 4] = ["figure", "point", "x", "y"];
 /// No row has more fields than there are columns.
 const MOST_FIELDS: usize = 16;
 
-/// A row: its fields and where each begins.
-type Row = Vec<(String, usize)>;
+/// A row.
+struct Row {
+    /// Its fields and where each begins.
+    fields: Vec<(String, usize)>,
+    /// It does not end as a row does.
+    broken: Option<Fault>,
+}
 
 pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
     let scales = Scales::read(None, Some(&scene.units))?;
     let names = Names::new(&scene.mechanism, &scales);
     let mut columns: Option<Vec<String>> = None;
     // Spreadsheets end with rows of empty fields.
-    for row in rows(text)?.into_iter().filter(|row| row.iter().any(|(text, _)| !text.is_empty())) {
+    let written = |row: &Row| row.broken.is_some() || row.fields.iter().any(|(text, _)| !text.is_empty());
+    for Row { fields: row, broken } in rows(text)?.into_iter().filter(written) {
         let first = row.first().map_or(0, |(_, at)| *at);
         if let Some(header) = header(&row)? {
             columns = Some(header);
@@ -49,38 +56,46 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
                 fault.mend("begin with the row `quantity,value,unit,sense,direction` or `figure,point,x,y`")
             );
         };
-        if row.len() > columns.len() {
-            return Err(Fault::new(row[columns.len()].1, "more fields than the header has"));
-        }
+        answers.count(first)?;
         let field = |name: &str| {
             let index = columns.iter().position(|c| c == name)?;
             row.get(index).filter(|(text, _)| !text.is_empty())
         };
-        for (text, at) in ["value", "x", "y", "direction"].into_iter().filter_map(field) {
-            refuse_decimal_comma(text, *at)?;
-        }
+        let whole = || -> Res<()> {
+            if let Some(broken) = broken {
+                return Err(broken);
+            }
+            if row.len() > columns.len() {
+                return Err(Fault::new(row[columns.len()].1, "more fields than the header has"));
+            }
+            let mut numbers = ["value", "x", "y", "direction"].into_iter().filter_map(field);
+            numbers.try_for_each(|(text, at)| refuse_decimal_comma(text, *at))
+        };
         let need =
             |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
-        // A box that was left empty: not answered.
-        if columns.iter().any(|c| c == "quantity") && ["value", "x", "y"].iter().all(|c| field(c).is_none()) {
-            asked_by(&names, &need("quantity")?.0, first, scene)?;
-            if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
-                return Err(Fault::new(*at, "this row has no `value`"));
+        if !columns.iter().any(|c| c == "quantity") {
+            let read = whole().and_then(|()| point(&need));
+            let name = [field("figure"), field("point")].map(|own| own.map_or("", |(text, _)| text));
+            if let Some((order, point)) = answers.grasp(&name.join(":"), None, read) {
+                figure_of(&mut answers, order).points.push(point);
             }
             continue;
         }
-        if columns.iter().any(|c| c == "quantity") {
-            quantity(&need, &field, (&names, scene), &scales, &mut answers)?;
-        } else {
-            point(&need, &mut answers)?;
-        }
+        let name = field("quantity").map_or("", |(text, _)| text.as_str());
+        let asked = need("quantity").and_then(|(name, at)| asked_by(&names, name, *at, scene));
+        let Some(asked) = answers.grasp(name, None, asked) else { continue };
+        let of = asked.quantity;
+        let item = whole().and_then(|()| quantity(asked, &need, &field, &scales));
+        let item = answers.grasp(name, Some(of), item);
+        answers.items.extend(item.flatten());
     }
+    answers.void_what_is_written_twice();
     answers.take_plus_for_a_sense();
     Ok(answers)
 }
 
 /// The names of the columns, where the row is a header.
-fn header(row: &Row) -> Res<Option<Vec<String>>> {
+fn header(row: &[(String, usize)]) -> Res<Option<Vec<String>>> {
     let names: Vec<String> = row.iter().map(|(text, _)| text.to_lowercase()).collect();
     let known: &[&str] = match names.first().map(String::as_str) {
         Some("quantity") => &QUANTITY,
@@ -97,15 +112,20 @@ fn header(row: &Row) -> Res<Option<Vec<String>>> {
     Ok(Some(names))
 }
 
+/// What a row says of a quantity; nothing where its box was left empty.
 fn quantity<'r>(
+    asked: Asked,
     need: &impl Fn(&str) -> Res<&'r (String, usize)>,
     field: &impl Fn(&str) -> Option<&'r (String, usize)>,
-    (names, scene): (&Names<'_>, &Scene),
     scales: &Scales,
-    answers: &mut Answers,
-) -> Res<()> {
-    let (name, at) = need("quantity")?;
-    let asked = asked_by(names, name, *at, scene)?;
+) -> Res<Option<Item>> {
+    let (_, at) = need("quantity")?;
+    if ["value", "x", "y"].iter().all(|column| field(column).is_none()) {
+        return match field("sense").or_else(|| field("direction")) {
+            Some((_, at)) => Err(Fault::new(*at, "this row has no `value`")),
+            None => Ok(None),
+        };
+    }
     let unit = field("unit");
     if let (None, Some(x), Some(y)) = (field("value"), field("x"), field("y")) {
         let [x, y] = [x, y].map(|(text, at)| Value { at: *at, kind: Kind::Text(text.clone()) });
@@ -115,7 +135,7 @@ fn quantity<'r>(
         if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
             return Err(Fault::new(*at, "two components have their direction already"));
         }
-        return answers.take(item);
+        return Ok(Some(item));
     }
     let (text, value_at) = need("value")?;
     if let Some((_, at)) = field("x").or_else(|| field("y")) {
@@ -128,10 +148,7 @@ fn quantity<'r>(
         && symbol == "mm"
     {
         let mm = number(text, *value_at)?.value;
-        let item = drawn(asked, mm, 0.0, *at)?;
-        answers.count(*at)?;
-        answers.items.push(item);
-        return Ok(());
+        return drawn(asked, mm, 0.0, *at).map(Some);
     }
     let unit = unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(asked.quantity.measure(), *at));
     let value = Value { at: *value_at, kind: Kind::Text(text.clone()) };
@@ -150,10 +167,11 @@ fn quantity<'r>(
         let value = Value { at: *at, kind: Kind::Text(direction.clone()) };
         item = directed(item, scales.given(&value, Measure::Angle)?.value)?;
     }
-    answers.take(item)
+    Ok(Some(item))
 }
 
-fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Answers) -> Res<()> {
+/// The point of a row, by its figure.
+fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>) -> Res<(Order, (String, [f64; 2], usize))> {
     let (figure, at) = need("figure")?;
     let order = order_of(figure).ok_or_else(|| {
         Fault::new(*at, format!("`{figure}` is no figure"))
@@ -170,13 +188,7 @@ fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Ans
     let (name, at) = need("point")?;
     on_paper(place[0], *at)?;
     on_paper(place[1], *at)?;
-    answers.count(*at)?;
-    let points = figure_of(answers, order);
-    if points.points.iter().any(|(known, ..)| known == name) {
-        return Err(Fault::new(*at, format!("`{name}` is given twice")).mend("keep one of the two"));
-    }
-    points.points.push((name.clone(), place, *at));
-    Ok(())
+    Ok((order, (name.clone(), place, *at)))
 }
 
 fn figure_of(answers: &mut Answers, order: Order) -> &mut FigurePoints {
@@ -214,7 +226,7 @@ fn rows(text: &str) -> Res<Vec<Row>> {
 }
 
 fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
-    let mut row = Row::new();
+    let mut row: Vec<(String, usize)> = Vec::new();
     let (mut from, mut depth, mut quoted) = (0, 0_i32, false);
     let mut push = |from: usize, to: usize| {
         let raw = line[from..to].trim_start_matches('\u{feff}');
@@ -248,10 +260,8 @@ fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
         }
     }
     push(from, line.len());
-    if quoted {
-        return Err(Fault::new(start + from, "a quotation mark is not closed"));
-    }
-    Ok(row)
+    let broken = quoted.then(|| Fault::new(start + from, "a quotation mark is not closed"));
+    Ok(Row { fields: row, broken })
 }
 
 /// A number with a decimal comma, with a point instead; anything else as it is.

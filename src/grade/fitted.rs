@@ -1,13 +1,12 @@
 //! What of the skeleton was laid off otherwise, where no number of it was handed in: a pivot, a length or the angle of the
 //! input, at the value that brings all answers together.
 
-use std::f64::consts::PI;
-
 use super::answers::Given;
 use super::case::{Basis, Case, size};
 use super::change::{Change, InputChange};
 use super::kind::Kind;
 use super::mistakes::Hypothesis;
+use super::phrase::{Phrase, say};
 use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 
 /// A value that is found, not one of those that are usual: it must explain so many wrong answers at least.
@@ -212,7 +211,7 @@ impl Fit<'_, '_> {
         10 * met.count() >= 9 * self.open.len()
     }
 
-    fn told(&self, laid: Laid, by: [f64; 2]) -> (Kind, String, String) {
+    fn told(&self, laid: Laid, by: [f64; 2]) -> (Kind, Phrase, Phrase) {
         let mechanism = &self.case.mechanism;
         let unit = &self.case.scene.units.length;
         let number = |metres: f64| super::text::digits(metres / unit.si, self.long / unit.si / 300.0);
@@ -223,55 +222,57 @@ impl Fit<'_, '_> {
                     Place::Fixed(at) => [0, 1].map(|axis| at[axis].value),
                     _ => [0.0; 2],
                 };
-                let place = |at: [f64; 2]| format!("({}, {})", number(at[0]), number(at[1]));
-                let own = [right[0] + by[0], right[1] + by[1]];
-                let how = format!("about {} for {} {}", place(own), place(right), unit.symbol);
-                (Kind::PivotMisplaced, name(point), how)
+                let [x, y] = right.map(number);
+                let [own_x, own_y] = [right[0] + by[0], right[1] + by[1]].map(number);
+                let how = say!("about ({}, {}) for ({}, {}) {}", own_x, own_y, x, y, unit.symbol);
+                (Kind::PivotMisplaced, name(point).into(), how)
             }
             Laid::Length(link, ends) => {
                 let [a, b] = ends.map(|end| mechanism.link(link).points[end]);
-                let how = format!(
-                    "about {} % too {}",
-                    (100.0 * by[0].abs()).round(),
-                    if by[0] > 0.0 { "long" } else { "short" }
-                );
-                (Kind::LengthLaidOff, format!("the length {}{}", name(a), name(b)), how)
+                (Kind::LengthLaidOff, say!("the length {}", name(a) + &name(b)), lengthened(by[0]))
             }
             Laid::Guide(slide) => {
                 let at = super::misread::rider(mechanism, slide);
-                (Kind::GuideMisplaced, at, format!("about {} {} away", number(by[0].abs()), unit.symbol))
+                (Kind::GuideMisplaced, at, say!("about {} {} away", number(by[0].abs()), unit.symbol))
             }
             Laid::GuideTurned(slide) => {
                 let at = super::misread::rider(mechanism, slide);
-                let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };
-                (Kind::GuideMisplaced, at, format!("about {:.0}° too far {sense}", by[0].abs().to_degrees()))
+                (Kind::GuideMisplaced, at, turned_too_far(by[0]))
             }
             Laid::Point(link, end) => {
                 let points = &mechanism.link(link).points;
-                let arm = format!("{}{}", name(points[0]), name(points[end]));
-                let sense = if by[1] < 0.0 { "clockwise" } else { "counter-clockwise" };
-                let how = format!(
-                    "{arm} about {:.0} % too {} and {:.0}° too far {sense}",
-                    100.0 * by[0].abs(),
-                    if by[0] > 0.0 { "long" } else { "short" },
-                    by[1].abs().to_degrees()
-                );
-                (Kind::PointLaidOff, name(points[end]), how)
+                let arm = name(points[0]) + &name(points[end]);
+                let how = say!("{} {} and {}", arm, lengthened(by[0]), turned_too_far(by[1]));
+                (Kind::PointLaidOff, name(points[end]).into(), how)
             }
             Laid::Speed => {
-                let how = format!(
-                    "about {} % too {}",
-                    (100.0 * by[0].abs()).round(),
-                    if by[0] > 0.0 { "fast" } else { "slow" }
-                );
-                (Kind::InputSpeed, "the input".to_owned(), how)
+                let percent = (100.0 * by[0].abs()).round();
+                let how = match by[0] > 0.0 {
+                    true => say!("about {} % too fast", percent),
+                    false => say!("about {} % too slow", percent),
+                };
+                (Kind::InputSpeed, say!("the input"), how)
             }
-            Laid::Angle(_) => {
-                let sense = if by[0] < 0.0 { "clockwise" } else { "counter-clockwise" };
-                let how = format!("about {:.0}° too far {sense}", 180.0 / PI * by[0].abs());
-                (Kind::InputAngle, "the input".to_owned(), how)
-            }
+            Laid::Angle(_) => (Kind::InputAngle, say!("the input"), turned_too_far(by[0])),
         }
+    }
+}
+
+/// By which part a length is too long.
+fn lengthened(by: f64) -> Phrase {
+    let percent = (100.0 * by.abs()).round();
+    match by > 0.0 {
+        true => say!("about {} % too long", percent),
+        false => say!("about {} % too short", percent),
+    }
+}
+
+/// By how much something is turned too far, radians.
+fn turned_too_far(by: f64) -> Phrase {
+    let degrees = format!("{:.0}", by.abs().to_degrees());
+    match by < 0.0 {
+        true => say!("about {}° too far clockwise", degrees),
+        false => say!("about {}° too far counter-clockwise", degrees),
     }
 }
 

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
+use super::phrase::{Phrase, say};
 use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::curve::Curve;
@@ -64,8 +65,8 @@ impl List<'_, '_> {
         let several = links.len() > 2;
         for link in links.into_iter().filter(|link| link.is_some() || several) {
             let at = match link {
-                Some(link) => self.force_name(Force::Vector(Action::Inertia(link))),
-                None => "every inertia force".to_owned(),
+                Some(link) => self.force_name(Force::Vector(Action::Inertia(link))).into(),
+                None => say!("every inertia force"),
             };
             let price = if link.is_some() { PLAIN } else { 0.5 };
             let back = Departure::InertiaForce { link, twist: Twist::scaled(-1.0) };
@@ -74,7 +75,7 @@ impl List<'_, '_> {
             let couple = Departure::InertiaTorque { link, factor: 0.0 };
             let left_out = |departures: Vec<Departure>| Change::drawn(departures);
             self.add(Kind::ForceLeftOut, &at, None, price, left_out(vec![none]));
-            let how = (Kind::ForceLeftOut, "with its couple".to_owned());
+            let how = (Kind::ForceLeftOut, say!("with its couple"));
             self.add_so(how, &at, None, price + 0.25, left_out(vec![none, couple]));
             self.add(Kind::InertiaAlongAcceleration, &at, None, price, Change::drawn(vec![back]));
             // The acceleration in millimetres or centimetres times kilograms.
@@ -94,8 +95,10 @@ impl List<'_, '_> {
         let several = links.len() > 2;
         for link in links.into_iter().filter(|link| link.is_some() || several) {
             let [offset, couple] = match link {
-                Some(link) => [Force::Offset(link), Force::InertiaTorque(link)].map(|of| self.force_name(of)),
-                None => ["every offset", "every inertia torque"].map(str::to_owned),
+                Some(link) => {
+                    [Force::Offset(link), Force::InertiaTorque(link)].map(|of| self.force_name(of).into())
+                }
+                None => [say!("every offset"), say!("every inertia torque")],
             };
             let price = if link.is_some() { PLAIN } else { 0.5 };
             let side = vec![Departure::Offset { link, factor: -1.0 }];
@@ -133,7 +136,7 @@ impl List<'_, '_> {
         if couple == 0.0 {
             return;
         }
-        let how = format!("left out of the moments of link {}", self.number(link));
+        let how = say!("left out of the moments of link {}", self.number(link));
         let beside = Departure::Beside { link, force: [0.0; 2], at: centre, couple };
         self.add_so((Kind::ForceLeftOut, how), &name, None, 0.5, Change::drawn(vec![beside]));
     }
@@ -166,8 +169,8 @@ impl List<'_, '_> {
             let weighed = if weight { None } else { Some(1.0 / g) };
             for group in groups.into_iter().filter(|group| !group.is_empty()) {
                 let at = match group[..] {
-                    [only] => format!("the mass of link {}", self.number(only.link)),
-                    _ => "the masses".to_owned(),
+                    [only] => say!("the mass of link {}", self.number(only.link)),
+                    _ => say!("the masses"),
                 };
                 let single = if group.len() == 1 && of.len() > 1 { 0.5 } else { PLAIN };
                 for (index, factor) in factors.iter().copied().chain(weighed).enumerate() {
@@ -206,7 +209,7 @@ impl List<'_, '_> {
         }
         for (kind, factor) in [(Kind::ForceLeftOut, 0.0), (Kind::SenseReversed, -1.0)] {
             let all = Departure::Weight { link: None, factor };
-            self.add(kind, "every weight", None, PLAIN, Change::drawn(vec![all]));
+            self.add(kind, say!("every weight"), None, PLAIN, Change::drawn(vec![all]));
         }
     }
 
@@ -214,16 +217,23 @@ impl List<'_, '_> {
     fn loads_calculated(&mut self) {
         let loads = self.case.mechanism.forces.loads.clone();
         for (index, load) in loads.iter().enumerate() {
+            if let LoadKind::Torque { .. } = load.kind {
+                let name = self.force_name(Force::LoadTorque(index));
+                for (kind, factor) in [(Kind::ForceLeftOut, 0.0), (Kind::MomentReversed, -1.0)] {
+                    let change = Change::of_inputs(InputChange::Load { index, factor });
+                    self.add(kind, &name, None, PLAIN, change);
+                }
+            }
             let LoadKind::Force { size: Size::Pressure { area, .. }, .. } = load.kind else { continue };
             let name = self.force_name(Force::Vector(Action::Load(index)));
             if let Area::Bore { bore, rod: Some(rod) } = area {
                 let [bore, rod] = [bore.value, rod.value].map(|diameter| diameter * diameter);
                 for (factor, how) in [
-                    (bore / (bore - rod), "the rod was not taken off the area"),
-                    (rod / (bore - rod), "the area of the rod alone"),
+                    (bore / (bore - rod), say!("the rod was not taken off the area")),
+                    (rod / (bore - rod), say!("the area of the rod alone")),
                 ] {
                     let change = Change::of_inputs(InputChange::Load { index, factor });
-                    self.add_so((Kind::LoadWrong, how.to_owned()), &name, None, PLAIN, change);
+                    self.add_so((Kind::LoadWrong, how), &name, None, PLAIN, change);
                 }
             }
             for factor in [4.0, 0.25] {
@@ -232,7 +242,7 @@ impl List<'_, '_> {
             }
             for factor in [10.0, 0.1, 100.0, 0.01, 1000.0, 0.001] {
                 let change = Change::of_inputs(InputChange::Load { index, factor });
-                let how = format!("a unit is off by {}", if factor > 1.0 { factor } else { 1.0 / factor });
+                let how = say!("a unit is off by {}", if factor > 1.0 { factor } else { 1.0 / factor });
                 self.add_so((Kind::LoadWrong, how), &name, None, 0.5, change);
             }
         }
@@ -257,7 +267,7 @@ impl List<'_, '_> {
                     continue;
                 }
                 let name = self.force_name(Force::Vector(acting.action));
-                let how = format!("at {}", self.case.mechanism.point(point).name);
+                let how = say!("at {}", self.case.mechanism.point(point).name);
                 let beside = Departure::Beside { link, force: [0.0; 2], at, couple };
                 let change = Change::drawn(vec![beside]);
                 self.add_so((Kind::LoadElsewhere, how), &name, None, price, change);
@@ -272,13 +282,13 @@ impl List<'_, '_> {
             let name = self.force_name(Force::Vector(Action::Load(index)));
             let angle = angle.value;
             for (how, other) in [
-                ("its angle counted from the other side", std::f64::consts::PI - angle),
-                ("its angle counted clockwise", -angle),
-                ("its angle counted from the y axis", FRAC_PI_2 - angle),
+                (say!("its angle counted from the other side"), std::f64::consts::PI - angle),
+                (say!("its angle counted clockwise"), -angle),
+                (say!("its angle counted from the y axis"), FRAC_PI_2 - angle),
             ] {
                 if libm::sin((other - angle) / 2.0).abs() > SAME_ARM {
                     let change = Change::of_inputs(InputChange::LoadTurned { index, by: other - angle });
-                    self.add_so((Kind::LoadWrong, how.to_owned()), &name, None, 0.25, change);
+                    self.add_so((Kind::LoadWrong, how), &name, None, 0.25, change);
                 }
             }
         }
@@ -307,7 +317,7 @@ impl List<'_, '_> {
                 if factor - 1.0 > SAME_ARM {
                     let torque = Departure::InertiaTorque { link: Some(mass.link), factor };
                     let point = &self.case.mechanism.point(point).name;
-                    let how = format!("I about {point} taken for I about the mass centre");
+                    let how = say!("I about {} taken for I about the mass centre", point);
                     let change = Change::drawn(vec![torque]);
                     self.add_so((Kind::ParallelAxis, how), &name, None, PLAIN, change);
                 }
@@ -336,8 +346,8 @@ impl List<'_, '_> {
             let name = self.force_name(Force::InertiaTorque(mass.link));
             let point = self.case.mechanism.point(about).name.clone();
             for (factor, how) in [
-                (own.value / central, format!("I about {point} taken for I about the mass centre")),
-                ((own.value + kg * far * far) / central, "M·d² added that is taken off".to_owned()),
+                (own.value / central, say!("I about {} taken for I about the mass centre", point)),
+                ((own.value + kg * far * far) / central, say!("M·d² added that is taken off")),
             ] {
                 let torque = Departure::InertiaTorque { link: Some(mass.link), factor };
                 let change = Change::drawn(vec![torque]);
@@ -410,20 +420,20 @@ impl List<'_, '_> {
                 let reversed = beside(without.map(|part| 2.0 * part), 0.0);
                 self.add(Kind::SenseReversed, &name, None, PLAIN, reversed);
             }
-            let how = format!("left out at link {number}");
+            let how = say!("left out at link {}", number);
             self.add_so((Kind::ForceLeftOut, how), &name, None, price, beside(without, 0.0));
             let Some(about) = balance.and_then(|balance| self.place_of(balance.about)) else { continue };
             let arm = [at[0] - about[0], at[1] - about[1]];
             let moment = arm[0] * acting.force[1] - arm[1] * acting.force[0];
-            let how = format!("left out of the polygon of link {number}");
+            let how = say!("left out of the polygon of link {}", number);
             self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside(without, moment));
-            let how = format!("left out of the moments of link {number}");
+            let how = say!("left out of the moments of link {}", number);
             self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside([0.0; 2], -moment));
             // With the couple that shifts its line, or that counted for itself.
             let arm = [acting.at[0] - about[0], acting.at[1] - about[1]];
             let alone = arm[0] * acting.force[1] - arm[1] * acting.force[0];
             for moment in [moment, alone] {
-                let how = format!("in the moments of link {number}");
+                let how = say!("in the moments of link {}", number);
                 let reversed = beside([0.0; 2], -2.0 * moment);
                 self.add_so((Kind::MomentReversed, how), &name, None, price, reversed);
             }
@@ -451,7 +461,7 @@ impl List<'_, '_> {
                     arm[1] * force[0] - arm[0] * force[1]
                 });
                 let beside = Departure::Beside { link: by, force, at: acting.through, couple };
-                let how = format!("with the same sense on link {}", self.number(by));
+                let how = say!("with the same sense on link {}", self.number(by));
                 let change = Change::drawn(vec![beside]);
                 self.add_so((Kind::ReactionForAction, how), &name, None, 0.5, change);
             }
@@ -474,6 +484,13 @@ impl List<'_, '_> {
                 balance.terms.iter().map(|term| (term, false)).chain([(&balance.found, true)])
             {
                 let (Some(pin), Some(arm)) = (pin(term.of), term.arm) else { continue };
+                let (Turning::Force(action) | Turning::Along(action)) = term.of else { continue };
+                let name = self.force_name(Force::Vector(action));
+                // The arm on the other side of the point: of what is found the force has the other sense.
+                let couple = if found { 2.0 * term.moment } else { -2.0 * term.moment };
+                let beside = Departure::Beside { link, force: [0.0; 2], at: about, couple };
+                let how = say!("in the moments of link {}", self.number(link));
+                self.add_so((Kind::MomentReversed, how), &name, None, 0.75, Change::drawn(vec![beside]));
                 let distance = libm::hypot(pin[0] - about[0], pin[1] - about[1]);
                 if (distance - arm.length).abs() <= SAME_ARM * distance {
                     continue;
@@ -482,8 +499,6 @@ impl List<'_, '_> {
                     false => term.moment * (distance / arm.length - 1.0),
                     true => -term.moment * (arm.length / distance - 1.0),
                 };
-                let (Turning::Force(action) | Turning::Along(action)) = term.of else { continue };
-                let name = self.force_name(Force::Vector(action));
                 let point = match balance.about {
                     About::Point(point) | About::Contact { pin: point, .. } => {
                         self.case.mechanism.point(point).name.as_str()
@@ -491,7 +506,7 @@ impl List<'_, '_> {
                     About::Meet { .. } => "K",
                     About::Centre { .. } => "I",
                 };
-                let how = format!("about {point} to the pin");
+                let how = say!("about {} to the pin", point);
                 let beside = Departure::Beside { link, force: [0.0; 2], at: about, couple };
                 self.add_so((Kind::ArmToPin, how), &name, None, 0.25, Change::drawn(vec![beside]));
             }
@@ -562,7 +577,7 @@ impl List<'_, '_> {
                 }
                 let twist = Twist::scaled(factor);
                 let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
-                let how = format!("a length of {}", self.told(*length));
+                let how = say!("a length of {}", self.told(*length));
                 self.add_so((Kind::ArmToPin, how), &name, None, price, read);
             }
         }
@@ -606,16 +621,15 @@ impl List<'_, '_> {
     /// The force of a guide along another line than square to it.
     fn guides(&mut self, sheet: &ForceSheet) {
         let mechanism = &self.case.mechanism;
-        let mut lines: Vec<(f64, String)> =
-            vec![(FRAC_PI_2, "vertical".to_owned()), (0.0, "horizontal".to_owned())];
+        let mut lines: Vec<(f64, Phrase)> = vec![(FRAC_PI_2, say!("vertical")), (0.0, say!("horizontal"))];
         for link in mechanism.moving() {
             if let [a, b, ..] = mechanism.link(link).points[..]
                 && let (Some(from), Some(to)) = (self.place(a), self.place(b))
             {
                 let angle = libm::atan2(to[1] - from[1], to[0] - from[0]);
                 let number = mechanism.link(link).number;
-                lines.push((angle, format!("along link {number}")));
-                lines.push((angle + FRAC_PI_2, format!("square to link {number}")));
+                lines.push((angle, say!("along link {}", number)));
+                lines.push((angle + FRAC_PI_2, say!("square to link {}", number)));
             }
         }
         let price = 0.5 + one_of(lines.len()) / 2.0;
@@ -661,11 +675,11 @@ impl List<'_, '_> {
             .collect();
         let name = |departure: &Departure| match *departure {
             Departure::FrictionCircle { pin, .. } => {
-                format!("the friction circle at {}", self.case.mechanism.point(pin).name)
+                say!("the friction circle at {}", self.case.mechanism.point(pin).name)
             }
-            _ => String::new(),
+            _ => Phrase::from(""),
         };
-        let mut found: Vec<(Kind, String, f64, Vec<Departure>)> = Vec::new();
+        let mut found: Vec<(Kind, Phrase, f64, Vec<Departure>)> = Vec::new();
         let smooth_pins: Vec<Departure> = friction
             .pins
             .iter()
@@ -679,12 +693,12 @@ impl List<'_, '_> {
         let smooth = [&smooth_pins[..], &smooth_guides[..]].concat();
         let both = !smooth_pins.is_empty() && !smooth_guides.is_empty();
         for (at, departures, among) in [
-            ("every pair", smooth, both),
-            ("the pins", smooth_pins, true),
-            ("the guides", smooth_guides, true),
+            (say!("every pair"), smooth, both),
+            (say!("the pins"), smooth_pins, true),
+            (say!("the guides"), smooth_guides, true),
         ] {
             if among && !departures.is_empty() {
-                found.push((Kind::FrictionLeftOut, at.to_owned(), PLAIN, departures));
+                found.push((Kind::FrictionLeftOut, at, PLAIN, departures));
             }
         }
         for (kind, departures) in [(Kind::CircleIsJournal, circles), (Kind::OtherTangent, tangents)] {
@@ -693,13 +707,13 @@ impl List<'_, '_> {
                 found.push((kind, name(departure), single, vec![*departure]));
             }
             if departures.len() > 1 {
-                found.push((kind, "every friction circle".to_owned(), PLAIN, departures));
+                found.push((kind, say!("every friction circle"), PLAIN, departures));
             }
         }
         for pair in self.case.mechanism.rubbing_pairs() {
             let RubbingPair::Slide(slide) = pair else { continue };
             let Some(point) = self.case.mechanism.rubbing_point(slide) else { continue };
-            let at = format!("the guide of {}", self.case.mechanism.point(point).name);
+            let at = say!("the guide of {}", self.case.mechanism.point(point).name);
             let back = Departure::FrictionAngle { slide, factor: -1.0 };
             found.push((Kind::FrictionAngleReversed, at.clone(), PLAIN, vec![back]));
             for factor in [2.0, 0.5] {
@@ -721,8 +735,8 @@ impl List<'_, '_> {
             return;
         }
         let only = |share| Change::drawn(vec![Departure::OnlyShare(share)]);
-        self.add(Kind::StaticLeftOut, "the whole", None, PLAIN, only(Share::Inertia));
-        self.add(Kind::InertiaLeftOut, "the whole", None, 0.5, only(Share::Static));
+        self.add(Kind::StaticLeftOut, say!("the whole"), None, PLAIN, only(Share::Inertia));
+        self.add(Kind::InertiaLeftOut, say!("the whole"), None, 0.5, only(Share::Static));
     }
 
     /// F_S with what acts from outside.
@@ -774,12 +788,19 @@ impl List<'_, '_> {
         if let Some(Sides::Areas { torque, angle, .. }) =
             self.case.mechanism.forces.cycle.as_ref().map(|cycle| &cycle.sides)
         {
-            let left_out = |what: &str| Some(format!("the scale of {what} was left out"));
             ways.extend([
-                (Kind::ScaleForgotten, left_out("angles"), 1.0 / angle.value),
-                (Kind::ScaleForgotten, left_out("torques"), 1.0 / torque.value),
-                (Kind::ScaleForgotten, left_out("torques"), degrees / torque.value),
-                (Kind::ScaleForgotten, left_out("torques and angles"), 1.0 / (torque.value * angle.value)),
+                (Kind::ScaleForgotten, Some(say!("the scale of angles was left out")), 1.0 / angle.value),
+                (Kind::ScaleForgotten, Some(say!("the scale of torques was left out")), 1.0 / torque.value),
+                (
+                    Kind::ScaleForgotten,
+                    Some(say!("the scale of torques was left out")),
+                    degrees / torque.value,
+                ),
+                (
+                    Kind::ScaleForgotten,
+                    Some(say!("the scale of torques and angles was left out")),
+                    1.0 / (torque.value * angle.value),
+                ),
             ]);
         }
         let mean = |of: &Quantity| {
@@ -788,7 +809,7 @@ impl List<'_, '_> {
         let levels: Vec<Quantity> = all.iter().copied().filter(|of| !mean(of)).collect();
         for group in [&all, &levels] {
             for (kind, how, factor) in ways.iter().filter(|_| !group.is_empty()) {
-                let at = "the areas of the diagram".to_owned();
+                let at = say!("the areas of the diagram");
                 let change = scaled(group, *factor);
                 let (kind, how, step) = (*kind, how.clone(), None);
                 self.found.push(Hypothesis { kind, at, step, price: PLAIN, change, how });
@@ -807,7 +828,7 @@ impl List<'_, '_> {
         for (index, [at, torque]) in knots.iter().enumerate() {
             if torque.value < 0.0 {
                 let read = |value: f64| super::misread::written(value / unit.si);
-                let how = format!(
+                let how = say!(
                     "{} read as {} {} at {}°",
                     read(torque.value),
                     read(-torque.value),
@@ -815,7 +836,7 @@ impl List<'_, '_> {
                     super::misread::written(at.value.to_degrees())
                 );
                 let change = Change::of_inputs(InputChange::Knot { index, factor: -1.0 });
-                self.add_so((Kind::LoadWrong, how), "the diagram", None, PLAIN, change);
+                self.add_so((Kind::LoadWrong, how), say!("the diagram"), None, PLAIN, change);
             }
         }
         // A table that ends where it begins tells its first value twice: some leave one out.
@@ -830,7 +851,7 @@ impl List<'_, '_> {
                 of: Which::One(Quantity::Cycle(of)),
                 twist: Twist::scaled(average / mean),
             });
-            let how = (Kind::WrongFormula, "the mean of the values, not of the area".to_owned());
+            let how = (Kind::WrongFormula, say!("the mean of the values, not of the area"));
             let name = self.name(&Quantity::Cycle(CycleQuantity::Mean));
             let read = Change { readings: readings.to_vec(), ..Change::default() };
             self.add_so(how, &name, None, 0.5, read);
@@ -849,22 +870,22 @@ impl List<'_, '_> {
         let plus = |of: CycleQuantity, by: f64| {
             Change::read(Misreading::Plus { of: Quantity::Cycle(of), by: [by, 0.0] })
         };
-        let mut ways = vec![(CycleQuantity::OfEnergy, "E_f/T_m in the place of E_f/E", {
+        let mut ways = vec![(CycleQuantity::OfEnergy, say!("E_f/T_m in the place of E_f/E"), {
             twisted(CycleQuantity::OfEnergy, period)
         })];
         if there > 0.0 {
             let flywheel = CycleQuantity::Flywheel;
-            ways.push((flywheel, "what turns already was not taken off", plus(flywheel, there)));
-            ways.push((flywheel, "what turns already was added", plus(flywheel, 2.0 * there)));
+            ways.push((flywheel, say!("what turns already was not taken off"), plus(flywheel, there)));
+            ways.push((flywheel, say!("what turns already was added"), plus(flywheel, 2.0 * there)));
         }
         let levels = [CycleQuantity::Fluctuation, CycleQuantity::Highest, CycleQuantity::Lowest].map(right);
         if let [Some(fluctuation), Some(highest), Some(lowest)] = levels
             && fluctuation > 0.0
         {
             for (level, how) in [
-                (highest, "the highest level alone"),
-                (lowest.abs(), "the lowest level alone"),
-                ((highest + lowest).abs(), "the lowest level with the wrong sign"),
+                (highest, say!("the highest level alone")),
+                (lowest.abs(), say!("the lowest level alone")),
+                ((highest + lowest).abs(), say!("the lowest level with the wrong sign")),
             ] {
                 let factor = level / fluctuation;
                 if factor > 0.0 && (factor - 1.0).abs() > 1e-3 {
@@ -875,7 +896,7 @@ impl List<'_, '_> {
         }
         for (of, how, change) in ways {
             let name = self.name(&Quantity::Cycle(of));
-            self.add_so((Kind::WrongFormula, how.to_owned()), &name, None, PLAIN, change);
+            self.add_so((Kind::WrongFormula, how), &name, None, PLAIN, change);
         }
     }
 
@@ -918,7 +939,7 @@ impl List<'_, '_> {
                     twisted(CycleQuantity::OfSpeed, right / (right + more)),
                     Misreading::Plus { of: Quantity::Cycle(CycleQuantity::Flywheel), by: [-more, 0.0] },
                 ];
-                let how = (Kind::WrongFormula, "M·k in the place of M·k²".to_owned());
+                let how = (Kind::WrongFormula, say!("M·k in the place of M·k²"));
                 self.add_so(how, &inertia, None, PLAIN, Change { readings, ..Change::default() });
             }
         }
@@ -945,7 +966,7 @@ impl List<'_, '_> {
                 twist: Twist::scaled(period / turn),
             });
             let read = Change { readings: means.to_vec(), ..Change::default() };
-            self.add_so((Kind::OneTurnForTwo, "a whole turn".to_owned()), "the period", None, PLAIN, read);
+            self.add_so((Kind::OneTurnForTwo, say!("a whole turn")), say!("the period"), None, PLAIN, read);
         }
         // The whole diagram over half of its turns, or a mean alone over another number of turns.
         let mean_over = |factor: f64| {
@@ -955,13 +976,13 @@ impl List<'_, '_> {
             });
             Change { readings: means.to_vec(), ..Change::default() }
         };
-        let at = "the period";
+        let at = say!("the period");
         if (period / turn - 2.0).abs() < 1e-9 {
-            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+            self.add(Kind::OneTurnForTwo, &at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
             self.add(Kind::OneTurnForTwo, at, None, 0.5, mean_over(2.0));
         } else if (period / turn - 1.0).abs() < 1e-9 {
-            self.add(Kind::OneTurnForTwo, at, None, PLAIN, mean_over(0.5));
-            self.add_so((Kind::OneTurnForTwo, "half a turn".to_owned()), at, None, 0.5, mean_over(2.0));
+            self.add(Kind::OneTurnForTwo, &at, None, PLAIN, mean_over(0.5));
+            self.add_so((Kind::OneTurnForTwo, say!("half a turn")), at, None, 0.5, mean_over(2.0));
         }
         self.knots_of_diagram();
         self.reckoned_otherwise();
@@ -971,7 +992,7 @@ impl List<'_, '_> {
         if cycle.fluctuation.is_some() {
             let change = |factor: f64| Change::of_inputs(InputChange::Fluctuation(factor));
             self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, change(0.5));
-            let doubled = (Kind::HalfFluctuation, "the whole range taken for it and doubled".to_owned());
+            let doubled = (Kind::HalfFluctuation, say!("the whole range taken for it and doubled"));
             self.add_so(doubled, "Ks", None, PLAIN, change(2.0));
         }
         let of_speed = Quantity::Cycle(CycleQuantity::OfSpeed);

@@ -12,8 +12,9 @@ use super::fitted;
 use super::kind::Kind;
 use super::misread;
 use super::mistakes::{self, Hypothesis, vector_of};
+use super::phrase::Phrase;
 use super::routes;
-use super::steps::By;
+use super::steps::{self, By};
 use crate::graphical::construction::{Act, Calculation, Label, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force, Share};
@@ -38,11 +39,11 @@ pub struct Mistake {
     /// Which.
     pub kind: Kind,
     /// What it is about, such as `an(B/A)`.
-    pub at: String,
+    pub at: Phrase,
     /// In which step of the solution it was made, from 1, where that can be said.
     pub step: Option<usize>,
     /// What exactly was done, where kind and place do not say it: `bc read for oc`.
-    pub how: Option<String>,
+    pub how: Option<Phrase>,
     /// How far the explained answers are from what the mistake leads to: root of the mean square, in tolerances.
     pub residual: f64,
     /// How many answers it explains that are not right.
@@ -216,17 +217,25 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
         let Some(sketch) = case.drawn(&drawn, None) else { continue };
         let seen = case.seen(&sketch, &drawn);
         let rooms = case.rooms_of(&drawn, &seen, FEW);
+        let so_far = verdicts.clone();
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let Some(numbers) = seen[index].as_deref() else { continue };
             let most = case.most(index, numbers);
-            let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(most);
+            let right = case.truth[index].as_deref().map_or(0.0, size);
+            let usual = case.rooms[index].of_size(size(numbers), right);
+            let allowed = rooms[index].or(usual).times(EXPLAINED).and(most);
             let allowed = if lost { allowed.times(STRICT) } else { allowed };
             // That something is nothing shows nothing, but of what is left out by whoever has something else right.
             let tells = match case.hands_in_nothing(index) {
                 true => shown && case.is_zero(index) && faults.last().is_some_and(Fault::leaves_out),
                 false => case.tells(index, numbers, allowed),
             };
-            if verdict.is_none() && tells && case.miss(index, Some(numbers), allowed) <= 1.0 {
+            let met = || {
+                let right = (&so_far[..], &[Verdict::Right][..]);
+                case.miss(index, Some(numbers), allowed) <= 1.0
+                    && steps::is_the_students(case, right, index, &seen)
+            };
+            if verdict.is_none() && tells && met() {
                 *verdict = Some(Verdict::Consistent);
                 caused[index] = faults.len().checked_sub(1);
             }
@@ -264,7 +273,7 @@ impl Judge<'_, '_> {
             tried.retain(|t| unmoved - t.moved >= MOVES);
             let mut tried = self.weighed(tried);
             self.credit(&mut tried);
-            tried.retain(|t| t.cost < price && !self.contradicts(t));
+            tried.retain(|t| t.cost < price && !self.contradicts(t) && self.has_a_witness(t, &base));
             tried
         };
         let mut tried = explained_by(&hypotheses);
@@ -411,6 +420,24 @@ impl Judge<'_, '_> {
         whole && (0..tried.misses.len()).any(harmed)
     }
 
+    /// Whether more than one vector speaks for a scale factor that was found by fitting: another one that was read, or what
+    /// is calculated from all of them, to which no way of going on from the one alone leads.
+    fn has_a_witness(&self, tried: &Tried, base: &Sketch) -> bool {
+        !self.rests_on_one_vector(&tried.hypothesis)
+            || self.unknown_by(base, false).is_none_or(|own| tried.cost + UNKNOWN < own.cost)
+    }
+
+    /// Whether a mistake is a scale factor that was found by fitting it to a single vector.
+    fn rests_on_one_vector(&self, hypothesis: &Hypothesis) -> bool {
+        let fitted = hypothesis.change.readings.iter().find_map(|reading| match *reading {
+            Misreading::OtherScale { of: Which::Measured(order), .. } => Some(order),
+            _ => None,
+        });
+        let Some(order) = fitted.filter(|_| hypothesis.kind == Kind::ScaleWrong) else { return false };
+        let all = 0..self.case.observations.len();
+        all.filter(|&index| self.case.lengthened(index, order).is_some()).count() < 2
+    }
+
     /// Whether a mistake leads closely to what it explains, and leaves hardly anything of what is open.
     fn leads_to_all(&self, tried: &Tried) -> bool {
         let open: Vec<f64> = (0..tried.misses.len())
@@ -554,6 +581,10 @@ impl Judge<'_, '_> {
 
     /// Two mistakes at once.
     fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64, unmoved: f64) -> Vec<Tried> {
+        // A factor that is fitted to one vector leaves nothing of it to be explained by another mistake.
+        let hypotheses: Vec<Hypothesis> =
+            hypotheses.iter().filter(|one| !self.rests_on_one_vector(one)).cloned().collect();
+        let hypotheses = &hypotheses[..];
         // The first of the two is one that explains something by itself, or changes what the answer depends on.
         let mut singles: Vec<Tried> = hypotheses
             .iter()
@@ -629,6 +660,11 @@ impl Judge<'_, '_> {
 
     /// The student's own value in the place of the right one, in the way that explains the later answers best.
     fn unknown(&self, base: &Sketch) -> Option<Tried> {
+        self.unknown_by(base, true)
+    }
+
+    /// The same, with another scale of the whole polygon among the ways or without.
+    fn unknown_by(&self, base: &Sketch, scales: bool) -> Option<Tried> {
         let seen = self.case.seen(base, self.drawn);
         let observation = &self.case.observations[self.first];
         let before = seen[self.first].as_deref();
@@ -637,7 +673,7 @@ impl Judge<'_, '_> {
             true => Vec::new(),
             false => own_values(self.case, base, observation, before),
         };
-        ways.extend(self.by_another_scale(before));
+        ways.extend(self.by_another_scale(before).filter(|_| scales));
         ways.retain(|way| takes_its_place(self.case, &self.drawn.and(way), self.first));
         ways.push(Change::default());
         let mut best: Option<Tried> = None;
@@ -648,7 +684,7 @@ impl Judge<'_, '_> {
             let hypothesis = Hypothesis {
                 // Never shown: it has no name.
                 kind: Kind::SenseReversed,
-                at: String::new(),
+                at: Phrase::from(""),
                 step: None,
                 price: UNKNOWN,
                 change: way,

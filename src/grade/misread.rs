@@ -7,6 +7,7 @@ use super::case::Case;
 use super::change::{Change, InputChange};
 use super::kind::Kind;
 use super::mistakes::Hypothesis;
+use super::phrase::{Phrase, say};
 use crate::given::Given;
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
 
@@ -19,11 +20,11 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
     let unit = case.scene.units.length.si;
     let symbol = &case.scene.units.length.symbol;
     let mut found = Vec::new();
-    let mut add = |kind: Kind, at: &str, how: String, changes: Vec<InputChange>| {
+    let mut add = |kind: Kind, at: Phrase, how: Phrase, changes: Vec<InputChange>| {
         let change = Change { inputs: changes, ..Change::default() };
         if change.mechanism(mechanism).as_ref() != mechanism {
             let how = Some(how);
-            found.push(Hypothesis { kind, at: at.to_owned(), step: None, price: MISREAD, change, how });
+            found.push(Hypothesis { kind, at, step: None, price: MISREAD, change, how });
         }
     };
     let told = |metres: f64| written(metres / unit);
@@ -34,10 +35,10 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
         ways.extend(transposed(x / unit).into_iter().map(|own| [own * unit, y]));
         ways.extend(transposed(y / unit).into_iter().map(|own| [x, own * unit]));
         for own in ways.into_iter().filter(|own| *own != [x, y]) {
-            let how = format!("({}, {}) for ({}, {}) {symbol}", told(own[0]), told(own[1]), told(x), told(y));
+            let how = say!("({}, {}) for ({}, {}) {}", told(own[0]), told(own[1]), told(x), told(y), symbol);
             let by = [own[0] - x, own[1] - y];
             let pivot = InputChange::Pivot { point: PointId(index), by };
-            add(Kind::PivotMisplaced, &point.name, how, vec![pivot]);
+            add(Kind::PivotMisplaced, Phrase::from(&point.name), how, vec![pivot]);
         }
     }
     let lengths = lengths(mechanism);
@@ -46,7 +47,7 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
         points.map(|point| mechanism.point(point).name.as_str()).concat()
     };
     for (place, &(link, ends, length)) in lengths.iter().enumerate() {
-        let at = format!("the length {}", name(link, ends));
+        let at = say!("the length {}", name(link, ends));
         let other = |own: f64| InputChange::Length { link, ends, factor: own / length };
         // Of a straight link with three points a distance may be taken from another of them.
         let from_others = lengths.iter().filter(|(of, others, _)| {
@@ -58,17 +59,17 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
             .chain(from_others)
             .chain(transposed(length / unit).into_iter().map(|own| own * unit))
         {
-            let how = format!("{} for {} {symbol}", told(own), told(length));
-            add(Kind::LengthLaidOff, &at, how, vec![other(own)]);
+            let how = say!("{} for {} {}", told(own), told(length), symbol);
+            add(Kind::LengthLaidOff, at.clone(), how, vec![other(own)]);
         }
         for &(with, its_ends, its_length) in &lengths[place + 1..] {
-            let how = format!("interchanged with {}", name(with, its_ends));
+            let how = say!("interchanged with {}", name(with, its_ends));
             let its = InputChange::Length { link: with, ends: its_ends, factor: length / its_length };
-            add(Kind::LengthLaidOff, &at, how, vec![other(its_length), its]);
+            add(Kind::LengthLaidOff, at.clone(), how, vec![other(its_length), its]);
         }
     }
     for (slide, how, change) in guides(case) {
-        add(Kind::GuideMisplaced, &rider(mechanism, slide), how, vec![change]);
+        add(Kind::GuideMisplaced, rider(mechanism, slide), how, vec![change]);
     }
     for (input, given) in mechanism.inputs.iter().enumerate() {
         let (Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) = given
@@ -76,14 +77,14 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
             continue;
         };
         let degrees = angle.value.to_degrees();
-        let mut ways = vec![(PI, "half a turn away".to_owned())];
-        ways.extend([FRAC_PI_2, -FRAC_PI_2].map(|by| (by, "a quarter of a turn away".to_owned())));
+        let mut ways = vec![(PI, say!("half a turn away"))];
+        ways.extend([FRAC_PI_2, -FRAC_PI_2].map(|by| (by, say!("a quarter of a turn away"))));
         ways.extend(transposed(degrees).into_iter().map(|own| {
-            let how = format!("{} for {} deg", written(own), written(degrees));
+            let how = say!("{} for {} deg", written(own), written(degrees));
             ((own - degrees).to_radians(), how)
         }));
         for (by, how) in ways {
-            add(Kind::InputAngle, "the input", how, vec![InputChange::Angle { input, by }]);
+            add(Kind::InputAngle, say!("the input"), how, vec![InputChange::Angle { input, by }]);
         }
     }
     found
@@ -128,23 +129,23 @@ impl Guideway {
 }
 
 /// What slides on a guide, as people call it.
-pub(super) fn rider(mechanism: &Mechanism, slide: usize) -> String {
+pub(super) fn rider(mechanism: &Mechanism, slide: usize) -> Phrase {
     match mechanism.slides[slide].rider {
-        Rider::Pin { point, .. } => mechanism.point(point).name.clone(),
-        Rider::Link { link, .. } => format!("link {}", mechanism.link(link).number),
+        Rider::Pin { point, .. } => Phrase::from(&mechanism.point(point).name),
+        Rider::Link { link, .. } => say!("link {}", mechanism.link(link).number),
     }
 }
 
 /// The guides of the frame with their offset from a pivot forgotten, or laid off to its other side: with the slide and what
 /// was done.
-pub(super) fn offsets(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
+pub(super) fn offsets(case: &Case<'_>) -> Vec<(usize, Phrase, InputChange)> {
     let mechanism = &case.mechanism;
     let mut found = Vec::new();
     for guide in Guideway::all(mechanism) {
         for (pivot, far) in distances(mechanism, &guide) {
             let shifted = |across: f64| InputChange::Guide { slide: guide.slide, across, turn: 0.0 };
-            found.push((guide.slide, format!("through {pivot}"), shifted(-far)));
-            found.push((guide.slide, format!("on the other side of {pivot}"), shifted(-2.0 * far)));
+            found.push((guide.slide, say!("through {}", pivot), shifted(-far)));
+            found.push((guide.slide, say!("on the other side of {}", pivot), shifted(-2.0 * far)));
         }
     }
     found
@@ -161,7 +162,7 @@ fn distances(mechanism: &Mechanism, guide: &Guideway) -> Vec<(String, f64)> {
 }
 
 /// Every other usual misreading of where a guide of the frame lies.
-fn guides(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
+fn guides(case: &Case<'_>) -> Vec<(usize, Phrase, InputChange)> {
     let mechanism = &case.mechanism;
     let (unit, symbol) = (case.scene.units.length.si, &case.scene.units.length.symbol);
     let mut found = Vec::new();
@@ -171,23 +172,23 @@ fn guides(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
             let digits = transposed(far / unit).into_iter().map(|own| own * unit);
             for own in [far / 2.0, 2.0 * far].into_iter().chain(digits) {
                 let [own_told, told] = [own, far].map(|metres| written(metres.abs() / unit));
-                let how = format!("{own_told} for {told} {symbol} from {pivot}");
+                let how = say!("{} for {} {} from {}", own_told, told, symbol, pivot);
                 found.push((slide, how, InputChange::Guide { slide, across: own - far, turn: 0.0 }));
             }
         }
         let [x, y] = guide.through;
         for (own, how) in [
-            ([y, x], "x and y interchanged"),
-            ([-x, y], "x with the other sign"),
-            ([x, -y], "y with the other sign"),
+            ([y, x], say!("x and y interchanged")),
+            ([-x, y], say!("x with the other sign")),
+            ([x, -y], say!("y with the other sign")),
         ] {
             let across = -guide.beside(own);
-            found.push((slide, how.to_owned(), InputChange::Guide { slide, across, turn: 0.0 }));
+            found.push((slide, how, InputChange::Guide { slide, across, turn: 0.0 }));
         }
         let degrees = libm::atan2(guide.along[1], guide.along[0]).to_degrees();
         let others = [-degrees, 90.0 - degrees].into_iter().chain(transposed(degrees));
         for own in others.filter(|own| libm::sin((own - degrees).to_radians()).abs() > 1e-9) {
-            let how = format!("{} for {} deg", written(own), written(degrees));
+            let how = say!("{} for {} deg", written(own), written(degrees));
             let turn = (own - degrees).to_radians();
             found.push((slide, how, InputChange::Guide { slide, across: 0.0, turn }));
         }
@@ -196,7 +197,7 @@ fn guides(case: &Case<'_>) -> Vec<(usize, String, InputChange)> {
 }
 
 /// Usual misreadings of where the third point of a link stands, with what was done.
-pub(super) fn third_points(case: &Case<'_>) -> Vec<(PointId, String, InputChange)> {
+pub(super) fn third_points(case: &Case<'_>) -> Vec<(PointId, Phrase, InputChange)> {
     let mechanism = &case.mechanism;
     let (unit, symbol) = (case.scene.units.length.si, &case.scene.units.length.symbol);
     let mut found = Vec::new();
@@ -212,7 +213,7 @@ pub(super) fn third_points(case: &Case<'_>) -> Vec<(PointId, String, InputChange
         let others = [90.0 - degrees, 180.0 - degrees, -degrees].into_iter().chain(transposed(degrees));
         for own in others.filter(|own| libm::sin((own - degrees).to_radians() / 2.0).abs() > 1e-9) {
             let corner = [other, first, point].map(name).concat();
-            let how = format!("∠{corner} {} for {} deg", written(own), written(degrees));
+            let how = say!("∠{} {} for {} deg", corner, written(own), written(degrees));
             let turn = (own - degrees).to_radians();
             found.push((point, how, InputChange::Arm { link, end: 2, factor: 1.0, turn }));
         }
@@ -221,7 +222,7 @@ pub(super) fn third_points(case: &Case<'_>) -> Vec<(PointId, String, InputChange
         let lengths = [arm / 2.0, 2.0 * arm, second.value].into_iter().chain(digits);
         for own in lengths.filter(|own| *own > 0.0 && (own / arm - 1.0).abs() > 1e-9) {
             let arm_name = [first, point].map(name).concat();
-            let how = format!("{arm_name} {} for {} {symbol}", written(own / unit), written(arm / unit));
+            let how = say!("{} {} for {} {}", arm_name, written(own / unit), written(arm / unit), symbol);
             found.push((point, how, InputChange::Arm { link, end: 2, factor: own / arm, turn: 0.0 }));
         }
     }

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::case::{Case, Target, claimed, direction, polygon, size};
 use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::kind::Kind;
+use super::phrase::{Phrase, say};
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, Label, Reference, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force};
@@ -17,14 +18,14 @@ use crate::plan::DiagramPlan;
 pub(super) struct Hypothesis {
     pub(super) kind: Kind,
     /// What it is about: a quantity or a link, or nothing for what is given.
-    pub(super) at: String,
+    pub(super) at: Phrase,
     /// The number of the step, from 1, in which it is made, where there is one.
     pub(super) step: Option<usize>,
     /// How far-fetched it is, as the squares of misses are counted.
     pub(super) price: f64,
     pub(super) change: Change,
     /// What exactly was done, in a clause, where kind and place do not say it.
-    pub(super) how: Option<String>,
+    pub(super) how: Option<Phrase>,
 }
 
 /// A slip that is made as a whole, in the way that the textbook warns of.
@@ -94,20 +95,27 @@ struct Turning {
 type Reading<'r> = &'r dyn Fn(Which) -> Misreading;
 
 impl<'c> List<'c, '_> {
-    pub(super) fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
-        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: None });
+    pub(super) fn add(
+        &mut self,
+        kind: Kind,
+        at: impl Into<Phrase>,
+        step: Option<usize>,
+        price: f64,
+        change: Change,
+    ) {
+        self.found.push(Hypothesis { kind, at: at.into(), step, price, change, how: None });
     }
 
     /// The same, with what exactly was done.
     pub(super) fn add_so(
         &mut self,
-        (kind, how): (Kind, String),
-        at: &str,
+        (kind, how): (Kind, Phrase),
+        at: impl Into<Phrase>,
         step: Option<usize>,
         price: f64,
         change: Change,
     ) {
-        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: Some(how) });
+        self.found.push(Hypothesis { kind, at: at.into(), step, price, change, how: Some(how) });
     }
 
     pub(super) fn name(&self, quantity: &Quantity) -> String {
@@ -127,11 +135,11 @@ impl<'c> List<'c, '_> {
             Input::Slide { acceleration, .. } => acceleration.value != 0.0,
         });
         let rates = |omega: f64, alpha: f64| Change::of_inputs(InputChange::Rates { omega, alpha });
-        self.add(Kind::SenseReversed, "the input", None, PLAIN, rates(-1.0, 1.0));
+        self.add(Kind::SenseReversed, say!("the input"), None, PLAIN, rates(-1.0, 1.0));
         if seconds {
-            self.add(Kind::SenseReversed, "the input", None, UNUSUAL, rates(-1.0, -1.0));
-            self.add(Kind::AlphaIgnored, "the input", None, PLAIN, rates(1.0, 0.0));
-            self.add(Kind::AlphaSign, "the input", None, PLAIN, rates(1.0, -1.0));
+            self.add(Kind::SenseReversed, say!("the input"), None, UNUSUAL, rates(-1.0, -1.0));
+            self.add(Kind::AlphaIgnored, say!("the input"), None, PLAIN, rates(1.0, 0.0));
+            self.add(Kind::AlphaSign, say!("the input"), None, PLAIN, rates(1.0, -1.0));
         }
         for units in &self.case.scene.input_units {
             let Some(rate) = &units.rate else { continue };
@@ -159,7 +167,7 @@ impl<'c> List<'c, '_> {
                 &[]
             };
             for &(kind, omega, price) in mixed {
-                self.add(kind, "the input", None, price, rates(omega, 1.0));
+                self.add(kind, say!("the input"), None, price, rates(omega, 1.0));
                 // In one number of the turning-moment diagram alone: the others hang on no rate, or are right.
                 for of in self.observed() {
                     if matches!(of, Quantity::Cycle(_)) {
@@ -173,7 +181,7 @@ impl<'c> List<'c, '_> {
         // The answers in another unit than they say.
         for (kind, factor) in [(Kind::RadAsRpm, 30.0 / PI), (Kind::RevAsRad, 0.5 / PI)] {
             let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
-            self.add(kind, "the answers", None, UNUSUAL, twisted(Which::Omegas));
+            self.add(kind, say!("the answers"), None, UNUSUAL, twisted(Which::Omegas));
             for quantity in self.observed() {
                 if Which::Omegas.includes(&quantity) {
                     let name = self.name(&quantity);
@@ -193,16 +201,16 @@ impl<'c> List<'c, '_> {
             .map(|&(input, stated, _)| InputChange::Angle { input, by: stated.to_degrees() - stated });
         let given = Change { inputs: typed.collect(), ..Change::default() };
         if !given.inputs.is_empty() {
-            self.add(kind, "the given angle", None, 1.0, given);
+            self.add(kind, say!("the given angle"), None, 1.0, given);
         }
         let ways = [true, false]
             .into_iter()
             .flat_map(|typed| [false, true].into_iter().map(move |from_zero| InRadians { typed, from_zero }));
         for how in ways {
             let spoilt = |of| Change::read(Misreading::InRadians { of, how });
-            self.add(kind, "the directions", None, 1.0, spoilt(Which::AllVectors));
+            self.add(kind, say!("the directions"), None, 1.0, spoilt(Which::AllVectors));
             for (order, at) in
-                [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")]
+                [(Order::Velocity, say!("the velocities")), (Order::Acceleration, say!("the accelerations"))]
             {
                 self.add(kind, at, None, UNUSUAL, spoilt(Which::Vectors(order)));
             }
@@ -231,14 +239,14 @@ impl<'c> List<'c, '_> {
         let angles: Vec<(usize, f64, f64)> = self.angles().collect();
         for (input, _, angle) in angles {
             let ways = [
-                ("counted from the other side", PLAIN, PI - angle),
-                ("counted clockwise", 0.5, -angle),
-                ("counted from the y axis", 1.0, FRAC_PI_2 - angle),
+                (say!("counted from the other side"), PLAIN, PI - angle),
+                (say!("counted clockwise"), 0.5, -angle),
+                (say!("counted from the y axis"), 1.0, FRAC_PI_2 - angle),
             ];
             for (how, price, other) in ways {
                 let change = Change::of_inputs(InputChange::Angle { input, by: other - angle });
-                let kind = (Kind::InputAngle, how.to_owned());
-                self.add_so(kind, "the input", None, price, change);
+                let kind = (Kind::InputAngle, how);
+                self.add_so(kind, say!("the input"), None, price, change);
             }
         }
         for (point, at) in self.case.misplaced() {
@@ -282,7 +290,7 @@ impl<'c> List<'c, '_> {
             for &other in observed[place + 1..].iter().filter(|other| like(&one, other)) {
                 let both = [(one, other), (other, one)].map(|(of, by)| Misreading::TakenFor { of, by });
                 let change = Change { readings: both.to_vec(), ..Change::default() };
-                let (name, how) = (self.name(&one), format!("with {}", self.name(&other)));
+                let (name, how) = (self.name(&one), say!("with {}", self.name(&other)));
                 self.add_so((Kind::Interchanged, how), &name, None, 0.5, change);
             }
         }
@@ -316,7 +324,7 @@ impl<'c> List<'c, '_> {
         };
         let distance = |a: [f64; 2], b: [f64; 2]| size(&difference(a, b)) * space.metres_per_mm;
         let si = self.case.si_per_mm(Order::Velocity);
-        let mut found: Vec<(LinkId, f64, String, Vec<Misreading>)> = Vec::new();
+        let mut found: Vec<(LinkId, f64, Phrase, Vec<Misreading>)> = Vec::new();
         let observed: Vec<Quantity> = self.observed();
         let observed: Vec<Quantity> = observed
             .into_iter()
@@ -339,7 +347,7 @@ impl<'c> List<'c, '_> {
             for &point in points {
                 let (Some(speed), Some(at)) = (image(point), space.places[point.0]) else { continue };
                 let own = mechanism.point(point).name.as_str();
-                let mut add = |name: &str, length: f64, more: Option<Misreading>| {
+                let mut add = |name: &Phrase, length: f64, more: Option<Misreading>| {
                     let factor = speed * si / length / omega.abs();
                     if length > 0.0 && factor.is_finite() && (factor - 1.0).abs() > 0.01 {
                         let own_rate = twisted(Quantity::Omega(link), factor);
@@ -348,7 +356,7 @@ impl<'c> List<'c, '_> {
                             .iter()
                             .filter(|of| !self.is_driven(of) && **of != Quantity::Velocity(point));
                         let all: Vec<Misreading> = all.map(|of| twisted(*of, factor)).collect();
-                        let how = format!("V of {own} over {name}");
+                        let how = say!("V of {} over {}", own, name);
                         if more.is_none() && all.len() > 1 {
                             found.push((link, factor, how.clone(), all));
                         }
@@ -357,14 +365,14 @@ impl<'c> List<'c, '_> {
                 };
                 for (place, (from, a)) in places.iter().enumerate() {
                     for (to, b) in &places[place + 1..] {
-                        add(&format!("{from} to {to}"), distance(*a, *b), None);
+                        add(&say!("{} to {}", from, to), distance(*a, *b), None);
                     }
                 }
                 for &other in points.iter().filter(|other| **other != point) {
                     let Some(there) = space.places[other.0] else { continue };
                     let ratio = distance(centre, at) / distance(centre, there);
                     let carried = twisted(Quantity::Velocity(other), ratio * ratio);
-                    let name = format!("the distance of {}", mechanism.point(other).name);
+                    let name = say!("the distance of {}", mechanism.point(other).name);
                     add(&name, distance(centre, there), Some(carried));
                 }
             }
@@ -394,7 +402,7 @@ impl<'c> List<'c, '_> {
     fn ratios_of_distances(&mut self) {
         let mechanism = &self.case.mechanism;
         let space = &self.construction.space;
-        let mut found: Vec<(Quantity, String, Vec<Misreading>)> = Vec::new();
+        let mut found: Vec<(Quantity, Phrase, Vec<Misreading>)> = Vec::new();
         for (index, observation) in self.case.observations.iter().enumerate() {
             let (Some(Quantity::Centre(i, j)), Some(&[x, y])) =
                 (observation.quantity, self.case.truth[index].as_deref())
@@ -425,7 +433,7 @@ impl<'c> List<'c, '_> {
                     .into_iter()
                     .map(|of| Misreading::Twisted { of: Which::One(of), twist: Twist::scaled(factor) });
                 let name = |point: PointId| mechanism.point(point).name.as_str();
-                let how = format!("distances of {} and {} interchanged", name(other), name(own));
+                let how = say!("distances of {} and {} interchanged", name(other), name(own));
                 found.push((of, how, readings.collect()));
             }
         }
@@ -468,13 +476,7 @@ impl<'c> List<'c, '_> {
             let by = difference(vector.to, vector.from).map(|mm| mm * si);
             let name = self.name(&of);
             let read = Change::read(Misreading::Plus { of, by });
-            self.add_so(
-                (Kind::WrongFormula, "Coriolis was not taken off".to_owned()),
-                &name,
-                None,
-                0.25,
-                read,
-            );
+            self.add_so((Kind::WrongFormula, say!("Coriolis was not taken off")), &name, None, 0.25, read);
         }
     }
 
@@ -538,12 +540,12 @@ impl<'c> List<'c, '_> {
                         && a != b
                     {
                         let ways = [
-                            ("the sum of both ω for their difference", (a + b) / (a - b)),
-                            ("one ω alone", a / (a - b)),
-                            ("one ω alone", b / (a - b)),
+                            (say!("the sum of both ω for their difference"), (a + b) / (a - b)),
+                            (say!("one ω alone"), a / (a - b)),
+                            (say!("one ω alone"), b / (a - b)),
                         ];
                         for (how, factor) in ways {
-                            let kind = (Kind::SenseReversed, how.to_owned());
+                            let kind = (Kind::SenseReversed, how);
                             let change = Change::read(twist(factor.abs()));
                             self.add_so(kind, &name, None, 0.5, change);
                         }
@@ -576,13 +578,12 @@ impl<'c> List<'c, '_> {
             let by =
                 libm::atan2(right[0] * own[1] - right[1] * own[0], right[0] * own[0] + right[1] * own[1]);
             let name = self.case.mechanism.point(point).name.clone();
-            let how = format!(
-                "{name} stands {} too far {}",
-                degrees_of(by),
-                if by < 0.0 { "clockwise" } else { "counter-clockwise" }
-            );
+            let how = match by < 0.0 {
+                true => say!("{} stands {} too far clockwise", name, degrees_of(by)),
+                false => say!("{} stands {} too far counter-clockwise", name, degrees_of(by)),
+            };
             let change = Change::of_inputs(InputChange::Angle { input, by });
-            self.add_so((Kind::InputAngle, how), "the input", None, UNUSUAL, change);
+            self.add_so((Kind::InputAngle, how), say!("the input"), None, UNUSUAL, change);
         }
     }
 
@@ -596,12 +597,12 @@ impl<'c> List<'c, '_> {
             if rider != point || across == 0.0 {
                 continue;
             }
-            let how = format!("{} away", self.told(across.abs()));
+            let how = say!("{} away", self.told(across.abs()));
             let away = difference(at, guide.through);
             let along = guide.along;
             let sine = along[0] * away[1] - along[1] * away[0];
             let turn = libm::atan(sine / (along[0] * away[0] + along[1] * away[1]));
-            let turned = format!("turned by {}", degrees_of(turn));
+            let turned = say!("turned by {}", degrees_of(turn));
             let name = self.case.mechanism.point(point).name.clone();
             let shift =
                 |across: f64, turn: f64| Change::of_inputs(InputChange::Guide { slide, across, turn });
@@ -631,7 +632,7 @@ impl<'c> List<'c, '_> {
                 libm::atan2(right[0] * own[1] - right[1] * own[0], right[0] * own[0] + right[1] * own[1]);
             let factor = size(&own) / size(&right);
             let change = Change::of_inputs(InputChange::Arm { link, end, factor, turn });
-            let how = format!("{} for {}", self.told(size(&own)), self.told(size(&right)));
+            let how = say!("{} for {}", self.told(size(&own)), self.told(size(&right)));
             let name = self.case.mechanism.point(point).name.clone();
             if factor.is_finite() && change.mechanism(&self.case.mechanism).as_ref() != &self.case.mechanism {
                 self.add_so((Kind::PointLaidOff, how), &name, None, 0.5, change);
@@ -651,8 +652,8 @@ impl<'c> List<'c, '_> {
                 let base = self.case.drawn_place(end).unwrap_or(right);
                 let [long, length] = [size(&difference(at, base)), size(&difference(from, right))];
                 let name = |id: PointId| self.case.mechanism.point(id).name.clone();
-                let at = format!("the length {}{}", name(end), name(point));
-                let how = format!("{} for {}", self.told(long), self.told(length));
+                let at = say!("the length {}", name(end) + &name(point));
+                let how = say!("{} for {}", self.told(long), self.told(length));
                 let ends = [own.min(other), own.max(other)];
                 let change = Change::of_inputs(InputChange::Length { link, ends, factor: long / length });
                 if length > 0.0
@@ -675,16 +676,16 @@ impl<'c> List<'c, '_> {
     fn directions(&mut self) {
         let quarter = |turn| move |of| Misreading::Twisted { of, twist: Twist { factor: 1.0, turn } };
         let mirrored = |from_y| move |of| Misreading::Mirrored { of, from_y };
-        let ways: [(&str, f64, Reading<'_>); 4] = [
-            ("clockwise", 0.0, &mirrored(false)),
-            ("clockwise from the y axis", 0.5, &mirrored(true)),
-            ("from the y axis", 0.0, &quarter(-FRAC_PI_2)),
-            ("from the y axis", 0.5, &quarter(FRAC_PI_2)),
+        let ways: [(Phrase, f64, Reading<'_>); 4] = [
+            (say!("clockwise"), 0.0, &mirrored(false)),
+            (say!("clockwise from the y axis"), 0.5, &mirrored(true)),
+            (say!("from the y axis"), 0.0, &quarter(-FRAC_PI_2)),
+            (say!("from the y axis"), 0.5, &quarter(FRAC_PI_2)),
         ];
         for (how, price, read) in ways {
-            let kind = || (Kind::DirectionMeasured, how.to_owned());
+            let kind = || (Kind::DirectionMeasured, how.clone());
             let all = Change::read(read(Which::AllVectors));
-            self.add_so(kind(), "the directions", None, 0.5 + price, all);
+            self.add_so(kind(), say!("the directions"), None, 0.5 + price, all);
             for quantity in self.observed() {
                 if super::answers::is_vector(&quantity) && !matches!(quantity, Quantity::Position(_)) {
                     let name = self.name(&quantity);
@@ -699,7 +700,7 @@ impl<'c> List<'c, '_> {
     fn degrees(&mut self) {
         let degrees = 180.0 / PI;
         let twisted = |of| Misreading::Twisted { of, twist: Twist::scaled(degrees) };
-        self.add(Kind::DegAsRad, "the answers", None, UNUSUAL, Change::read(twisted(Which::Omegas)));
+        self.add(Kind::DegAsRad, say!("the answers"), None, UNUSUAL, Change::read(twisted(Which::Omegas)));
         for quantity in self.observed() {
             let (order, link) = match quantity {
                 Quantity::Omega(link) => (Order::Velocity, link),
@@ -729,7 +730,7 @@ impl<'c> List<'c, '_> {
             for speeds in [true, false] {
                 if speeds || given_speeds {
                     let change = InputChange::Lengths { factor, speeds };
-                    self.add(kind, "all lengths", None, 1.0, Change::of_inputs(change));
+                    self.add(kind, say!("all lengths"), None, 1.0, Change::of_inputs(change));
                 }
             }
             self.divided_by(kind, factor, 1.0);
@@ -739,7 +740,7 @@ impl<'c> List<'c, '_> {
             for speeds in [true, false] {
                 if speeds || given_speeds {
                     let change = InputChange::Lengths { factor, speeds };
-                    self.add(kind, "all lengths", None, price, Change::of_inputs(change));
+                    self.add(kind, say!("all lengths"), None, price, Change::of_inputs(change));
                 }
             }
             self.divided_by(kind, factor, price);
@@ -754,10 +755,10 @@ impl<'c> List<'c, '_> {
         let departures =
             rates.iter().map(|&(order, link, _)| Departure::Rate { order, link, factor: 1.0 / factor });
         let change = Change::drawn(departures.collect());
-        self.add(kind, "the lengths by which is divided", None, price + UNUSUAL, change);
+        self.add(kind, say!("the lengths by which is divided"), None, price + UNUSUAL, change);
         for &(order, link, step) in &rates {
             let departure = Departure::Rate { order, link, factor: 1.0 / factor };
-            let at = format!("the length of link {}", self.number(link));
+            let at = say!("the length of link {}", self.number(link));
             self.add(kind, &at, Some(step), price + UNUSUAL, Change::drawn(vec![departure]));
         }
     }
@@ -765,9 +766,9 @@ impl<'c> List<'c, '_> {
     /// Answers written down in another unit than they were found in.
     fn answers_in(&mut self, kind: Kind, factor: f64, price: f64) {
         let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
-        self.add(kind, "the answers' unit", None, price + UNUSUAL, twisted(Which::AllLinear));
+        self.add(kind, say!("the answers' unit"), None, price + UNUSUAL, twisted(Which::AllLinear));
         for order in [Order::Velocity, Order::Acceleration] {
-            self.add(kind, "the answers' unit", None, price + FAR, twisted(Which::Vectors(order)));
+            self.add(kind, say!("the answers' unit"), None, price + FAR, twisted(Which::Vectors(order)));
         }
         for quantity in self.observed() {
             if !of_forces(&quantity) {
@@ -779,9 +780,11 @@ impl<'c> List<'c, '_> {
 
     /// The vectors of a polygon: all, those that are read off it and not calculated before, and of these those that are no
     /// sum of given parts; as far as that are others among the answers.
-    fn whole_figures(&self) -> Vec<(Which, Order, &'static str)> {
-        let mut scopes: Vec<(Which, Order, &'static str)> = Vec::new();
-        for (order, at) in [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")] {
+    fn whole_figures(&self) -> Vec<(Which, Order, Phrase)> {
+        let mut scopes: Vec<(Which, Order, Phrase)> = Vec::new();
+        for (order, at) in
+            [(Order::Velocity, say!("the velocities")), (Order::Acceleration, say!("the accelerations"))]
+        {
             let mut known: Vec<Vec<Quantity>> = Vec::new();
             let all =
                 [Which::Vectors(order), Which::Read(order), Which::Found(order), Which::Measured(order)];
@@ -790,7 +793,7 @@ impl<'c> List<'c, '_> {
                 among.retain(|quantity| self.case.includes(of, quantity));
                 if !known.contains(&among) {
                     known.push(among);
-                    scopes.push((of, order, at));
+                    scopes.push((of, order, at.clone()));
                 }
             }
         }
@@ -810,26 +813,26 @@ impl<'c> List<'c, '_> {
             [(2.0, PLAIN), (0.5, PLAIN), (10.0, PLAIN), (0.1, PLAIN), (5.0, 1.0), (0.2, 1.0)]
         {
             let how = if factor > 1.0 {
-                format!("read {factor} times too large")
+                say!("read {} times too large", factor)
             } else {
-                format!("read {} times too small", 1.0 / factor)
+                say!("read {} times too small", 1.0 / factor)
             };
             let kind = || (Kind::ScaleWrong, how.clone());
             for (of, order, at) in self.whole_figures() {
                 let read = Change::read(Misreading::OtherScale { of, factor });
-                self.add_so(kind(), at, None, price, read.clone());
+                self.add_so(kind(), &at, None, price, read.clone());
                 // Points of the figure that were converted by the same scale.
                 let figure = Change::read(Misreading::Enlarged { order, factor });
-                self.add_so(kind(), at, None, price + 0.5, read.and(&figure));
+                self.add_so(kind(), &at, None, price + 0.5, read.and(&figure));
                 let followed = Change::drawn(vec![Departure::ReadAll { order, factor }]);
-                self.add_so(kind(), at, None, price + 0.5, read.and(&followed));
+                self.add_so(kind(), &at, None, price + 0.5, read.and(&followed));
                 let rates = self.rates_from(of).into_iter().map(|(_, rate)| Misreading::Twisted {
                     of: Which::One(rate),
                     twist: Twist::scaled(factor),
                 });
                 let rates = Change { readings: rates.collect(), ..Change::default() };
                 if !rates.readings.is_empty() {
-                    self.add_so(kind(), at, None, price + 1.0, read.and(&rates));
+                    self.add_so(kind(), &at, None, price + 1.0, read.and(&rates));
                 }
             }
             // All that was handed in, read by one wrong scale: nothing is calculated from it on the way.
@@ -839,30 +842,35 @@ impl<'c> List<'c, '_> {
                 .into_iter()
                 .map(|(_, rate)| Misreading::Twisted { of: Which::One(rate), twist: Twist::scaled(factor) });
             let every = Change { readings: all.into_iter().chain(rates).collect(), ..Change::default() };
-            self.add_so(kind(), "every reading", None, price + 0.75, every);
+            self.add_so(kind(), say!("every reading"), None, price + 0.75, every);
             let departures = self.misused(factor, |[a, b], _| {
                 measured.iter().any(|known| *known == [a, b] || *known == [b, a])
             });
             if !departures.is_empty() {
-                let at = "the lengths measured on the skeleton";
+                let at = say!("the lengths measured on the skeleton");
                 self.add_so(kind(), at, None, price + 1.0, Change::drawn(departures));
             }
         }
     }
 
-    /// A diagram with any other scale factor, where several vectors that are read off it tell the same one.
+    /// A diagram with any other scale factor, where the vectors that are read off it tell the same one.
     fn any_scale(&mut self) {
-        for (order, at) in [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")] {
+        for (order, at) in
+            [(Order::Velocity, say!("the velocities")), (Order::Acceleration, say!("the accelerations"))]
+        {
             let all = 0..self.case.observations.len();
             let factors: Vec<f64> = all.filter_map(|index| self.case.lengthened(index, order)).collect();
             #[expect(clippy::cast_precision_loss, reason = "answers are few")]
             let factor = factors.iter().sum::<f64>() / factors.len().max(1) as f64;
             let alike = factors.iter().all(|one| (one / factor - 1.0).abs() <= ONE_SCALE);
-            if factors.len() < 2 || !alike || (factor - 1.0).abs() <= ONE_SCALE {
+            if factors.is_empty() || !alike || (factor - 1.0).abs() <= ONE_SCALE {
                 continue;
             }
-            let (times, sense) = if factor > 1.0 { (factor, "large") } else { (1.0 / factor, "small") };
-            let how = format!("read about {} times too {sense}", super::text::digits(times, 0.01));
+            let times = |factor: f64| super::text::digits(factor, 0.01);
+            let how = match factor > 1.0 {
+                true => say!("read about {} times too large", times(factor)),
+                false => say!("read about {} times too small", times(1.0 / factor)),
+            };
             let read = Change::read(Misreading::OtherScale { of: Which::Measured(order), factor });
             let followed = read.and(&Change::drawn(vec![Departure::ReadAll { order, factor }]));
             self.add_so((Kind::ScaleWrong, how), at, None, UNUSUAL + 1.0, followed);
@@ -892,7 +900,7 @@ impl<'c> List<'c, '_> {
         let mut tried: Vec<Vec<Departure>> = Vec::new();
         for &(pair, link) in &ends {
             let [a, b] = pair.map(|p| self.case.mechanism.point(p).name.clone());
-            let at = format!("the length {a}{b}");
+            let at = say!("the length {}", a + &b);
             let alone = self.misused(factor, |ends, of| (ends, of) == (pair, link));
             let whole = self.misused(factor, |_, of| of == link);
             for departures in [alone, whole] {
@@ -964,19 +972,19 @@ impl<'c> List<'c, '_> {
                 others.push((
                     step,
                     Departure::OtherSide(point),
-                    self.case.mechanism.point(point).name.clone(),
+                    Phrase::from(&self.case.mechanism.point(point).name),
                 ));
             }
         }
         for link in self.case.mechanism.moving() {
             let carries = self.case.mechanism.slides.iter().any(|slide| slide.guide.link == link);
             if carries {
-                others.push((0, Departure::OtherPose(link), format!("link {}", self.number(link))));
+                others.push((0, Departure::OtherPose(link), say!("link {}", self.number(link))));
             }
         }
         if others.len() > 1 {
             let all = others.iter().map(|(_, departure, _)| *departure).collect();
-            self.add(Kind::WrongAssembly, "the skeleton", None, UNUSUAL, Change::drawn(all));
+            self.add(Kind::WrongAssembly, say!("the skeleton"), None, UNUSUAL, Change::drawn(all));
         }
         for (step, departure, at) in others {
             self.add(Kind::WrongAssembly, &at, Some(step), PLAIN, Change::drawn(vec![departure]));
@@ -1037,7 +1045,7 @@ impl<'c> List<'c, '_> {
                 Act::Calculate(Calculation::Coriolis { quantity, omega, link, slip, .. }) => {
                     for (other, factor) in self.other_speeds(&slip) {
                         let departure = Departure::LaidOff { quantity, twist: Twist::scaled(factor) };
-                        let kind = (Kind::CoriolisWrongVelocity, format!("with {other}"));
+                        let kind = (Kind::CoriolisWrongVelocity, say!("with {}", other));
                         let name = self.name(&quantity);
                         self.add_so(kind, &name, Some(step), 0.5, Change::drawn(vec![departure]));
                     }
@@ -1088,7 +1096,8 @@ impl<'c> List<'c, '_> {
             })
             .collect();
         let found = normals.iter().filter(|(_, given, _)| !given).count();
-        for (all, at) in [(true, "every normal part"), (false, "every normal part that is found")] {
+        for (all, at) in [(true, say!("every normal part")), (false, say!("every normal part that is found"))]
+        {
             let of = || normals.iter().filter(move |(_, given, _)| all || !given);
             if of().count() < 2 || (all && found == normals.len()) {
                 continue;
@@ -1100,7 +1109,7 @@ impl<'c> List<'c, '_> {
                         .collect(),
                 )
             };
-            self.add(Kind::NormalAwayFromCentre, at, None, 1.0, drawn(&|_| -1.0));
+            self.add(Kind::NormalAwayFromCentre, &at, None, 1.0, drawn(&|_| -1.0));
             self.add(Kind::NormalNotSquared, at, None, 0.5, drawn(&|root| root));
         }
     }
@@ -1174,7 +1183,7 @@ impl<'c> List<'c, '_> {
         let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
         let price = 0.5 + one_of(2 * lengths.len()) / 3.0;
         for other in others {
-            let how = format!("with the length {}", self.told(*other));
+            let how = say!("with the length {}", self.told(*other));
             for factor in [other / length, length / other] {
                 let twist = Twist::scaled(factor);
                 let laid_off = Change::drawn(vec![Departure::LaidOff { quantity: *quantity, twist }]);
@@ -1253,7 +1262,7 @@ impl<'c> List<'c, '_> {
         for order in [Order::Velocity, Order::Acceleration] {
             let whole: Vec<Departure> = all.iter().filter(|r| r.1 == order).map(|r| r.2).collect();
             if whole.len() > 2 {
-                self.add(Kind::PerpendicularForParallel, "every line", None, FAR, Change::drawn(whole));
+                self.add(Kind::PerpendicularForParallel, say!("every line"), None, FAR, Change::drawn(whole));
             }
         }
     }
@@ -1297,8 +1306,10 @@ impl<'c> List<'c, '_> {
                     if !apart(drawn, right) || !apart(drawn, [-right[1], right[0]]) {
                         continue;
                     }
-                    let sign = if square { "⊥" } else { "∥" };
-                    let how = format!("{sign} {} instead of {}", self.line(by), self.claim(claim));
+                    let how = match square {
+                        true => say!("⊥ {} instead of {}", self.line(by), self.claim(claim)),
+                        false => say!("∥ {} instead of {}", self.line(by), self.claim(claim)),
+                    };
                     let change = Change::strayed(Stray { order, claim, by, square });
                     self.add_so((Kind::WrongLine, how), &at, Some(step), price, change);
                 }
@@ -1306,17 +1317,19 @@ impl<'c> List<'c, '_> {
         }
     }
 
-    fn line(&self, of: Reference) -> String {
+    fn line(&self, of: Reference) -> Phrase {
         match of {
-            Reference::Points(a, b) => [a, b].map(|p| self.case.mechanism.point(p).name.as_str()).concat(),
-            Reference::Guide(_) => "the guide".to_owned(),
+            Reference::Points(a, b) => {
+                [a, b].map(|p| self.case.mechanism.point(p).name.as_str()).concat().into()
+            }
+            Reference::Guide(_) => say!("the guide"),
         }
     }
 
-    fn claim(&self, claim: Claim) -> String {
+    fn claim(&self, claim: Claim) -> Phrase {
         match claim {
-            Claim::Parallel(of) => format!("∥ {}", self.line(of)),
-            Claim::Perpendicular(of) => format!("⊥ {}", self.line(of)),
+            Claim::Parallel(of) => say!("∥ {}", self.line(of)),
+            Claim::Perpendicular(of) => say!("⊥ {}", self.line(of)),
         }
     }
 
@@ -1347,12 +1360,21 @@ impl<'c> List<'c, '_> {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
                 }
-                Act::Calculate(Calculation::Alpha { link, quantity, length, .. }) => {
+                Act::Calculate(Calculation::Alpha { link, quantity, length, tangential, .. }) => {
                     let rate = |factor| Departure::Rate { order: Order::Acceleration, link, factor };
                     let at = self.name(&Quantity::Alpha(link));
                     self.add(Kind::AlphaSign, &at, Some(step), 1.0, Change::drawn(vec![rate(-1.0)]));
                     self.add(Kind::SenseReversed, &at, Some(step), 0.5, Change::drawn(vec![rate(-1.0)]));
                     self.add(Kind::AlphaIgnored, &at, Some(step), UNUSUAL, Change::drawn(vec![rate(0.0)]));
+                    if let Some(factor) = self.whole_for_tangential(&quantity, tangential) {
+                        let how = say!("from the whole acceleration, not its tangential part");
+                        let kind = || (Kind::RateFromWrongVector, how.clone());
+                        let drawn = Change::drawn(vec![rate(factor)]);
+                        self.add_so(kind(), &at, Some(step), 0.5, drawn);
+                        let (of, twist) = (Which::One(Quantity::Alpha(link)), Twist::scaled(factor));
+                        let read = Change::read(Misreading::Twisted { of, twist });
+                        self.add_so(kind(), &at, Some(step), 0.75, read);
+                    }
                     if matches!(quantity, Quantity::RelativeTangential(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
@@ -1371,6 +1393,23 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// How many times longer than its tangential part (SI) a whole acceleration is, absolute or relative.
+    fn whole_for_tangential(&self, quantity: &Quantity, tangential: f64) -> Option<f64> {
+        let images = &polygon(self.construction, Order::Acceleration)?.images;
+        let image = |point: PointId| {
+            let label = Label::Image { point, link: None };
+            let fixed = self.case.mechanism.is_fixed(point).then_some([0.0; 2]);
+            fixed.or_else(|| images.iter().rev().find(|image| image.label == label).map(|image| image.at))
+        };
+        let whole = match *quantity {
+            Quantity::Tangential(point) => image(point)?,
+            Quantity::RelativeTangential(to, from) => difference(image(to)?, image(from)?),
+            _ => return None,
+        };
+        let factor = size(&whole) * self.case.si_per_mm(Order::Acceleration) / tangential;
+        Some(factor).filter(|factor| factor.is_finite())
+    }
+
     /// ω from the velocity of another point, or over another length; and the normal parts with that ω.
     fn other_rates(
         &mut self,
@@ -1380,13 +1419,13 @@ impl<'c> List<'c, '_> {
         (length, lengths): (f64, &[f64]),
     ) {
         let at = self.name(&Quantity::Omega(link));
-        let mut ways: Vec<(Kind, Option<String>, f64)> = Vec::new();
+        let mut ways: Vec<(Kind, Option<Phrase>, f64)> = Vec::new();
         if let Some(polygon) = polygon(self.construction, Order::Velocity) {
             let own = vector_of(self.construction, quantity).map(|v| size(&difference(v.to, v.from)));
             for other in polygon.vectors.iter().filter(|other| other.quantity != *quantity) {
                 let factor = own.map(|own| size(&difference(other.to, other.from)) / own);
                 if let Some(factor) = factor.filter(|factor| factor.is_finite() && *factor > 0.0) {
-                    let how = format!("from {}", self.name(&other.quantity));
+                    let how = say!("from {}", self.name(&other.quantity));
                     ways.push((Kind::RateFromWrongVector, Some(how), factor));
                 }
             }
@@ -1411,7 +1450,7 @@ impl<'c> List<'c, '_> {
             let followed: Vec<Departure> = [rate].into_iter().chain(laid).collect();
             for change in [vec![rate], followed] {
                 let change = Change::drawn(change);
-                let (at, step) = (at.clone(), Some(step));
+                let (at, step) = (Phrase::from(&at), Some(step));
                 self.found.push(Hypothesis { kind, at, step, price, change, how: how.clone() });
             }
         }
@@ -1482,7 +1521,7 @@ impl<'c> List<'c, '_> {
                     let factor = (other.value - place.value) / own;
                     if factor.is_finite() && factor != 0.0 && (factor - 1.0).abs() > SAME_LENGTH {
                         let at = mechanism.point(point).name.clone();
-                        let how = format!("from {}", mechanism.point(*from).name);
+                        let how = say!("from {}", mechanism.point(*from).name);
                         let change = Change::of_inputs(InputChange::Length { link, ends: [0, end], factor });
                         self.add_so((Kind::ProportionFromOtherEnd, how), &at, None, 0.25, change);
                     }
@@ -1511,13 +1550,13 @@ impl<'c> List<'c, '_> {
             let mut ways = vec![(Kind::SenseReversed, None, 0.25, own.map(|x| -x))];
             for other in others {
                 let taken = image(*other).map(|at| {
-                    let how = format!("that of {}", self.case.mechanism.point(*other).name);
+                    let how = say!("that of {}", self.case.mechanism.point(*other).name);
                     (Kind::NeighbourRead, Some(how), 1.0, at)
                 });
                 ways.extend(taken);
             }
             if let (Order::Acceleration, Some(normal)) = (order, self.normal_about_pivot(point, others)) {
-                let left_out = Some("of its acceleration".to_owned());
+                let left_out = Some(say!("of its acceleration"));
                 ways.push((Kind::NormalMissing, left_out, 0.5, difference(own, normal)));
                 ways.push((Kind::AlphaIgnored, None, 0.5, normal));
             }
@@ -1525,7 +1564,8 @@ impl<'c> List<'c, '_> {
                 let name = match kind {
                     Kind::NormalMissing => self.name(&Quantity::Normal(point)),
                     _ => name.clone(),
-                };
+                }
+                .into();
                 let change = Change::drawn(vec![Departure::Image { order, point, at }]);
                 self.found.push(Hypothesis { kind, at: name, step: None, price, change, how });
             }
@@ -1572,10 +1612,10 @@ impl<'c> List<'c, '_> {
         }
         for (kind, point, from, departures) in found {
             let at = match kind {
-                Kind::ImageOnLine => format!("the image of {}", self.case.mechanism.point(point).name),
-                _ => self.case.mechanism.point(point).name.clone(),
+                Kind::ImageOnLine => say!("the image of {}", self.case.mechanism.point(point).name),
+                _ => Phrase::from(&self.case.mechanism.point(point).name),
             };
-            let how = format!("from {}", self.case.mechanism.point(from).name);
+            let how = say!("from {}", self.case.mechanism.point(from).name);
             for departure in &departures {
                 let change = Change::drawn(vec![*departure]);
                 self.add_so((kind, how.clone()), &at, None, 0.75, change);
@@ -1644,7 +1684,7 @@ impl<'c> List<'c, '_> {
             for (index, &first) in others.iter().enumerate() {
                 for &second in &others[index + 1..] {
                     let mirrored = |order| Departure::Mirrored { order, point, about: [first, second] };
-                    let at = format!("the image of link {}", self.number(link));
+                    let at = say!("the image of link {}", self.number(link));
                     let both = vec![mirrored(Order::Velocity), mirrored(Order::Acceleration)];
                     self.add(Kind::ImageMirrored, &at, None, PLAIN, Change::drawn(both));
                     for order in [Order::Velocity, Order::Acceleration] {
@@ -1700,15 +1740,15 @@ impl<'c> List<'c, '_> {
     /// Scale factors forgotten or inverted: of one answer, of a polygon, of all.
     fn scales(&mut self) {
         let figures = self.whole_figures().into_iter();
-        let mut scopes: Vec<(Which, String, f64)> = figures
-            .map(|(of, _, at)| (of, at.to_owned(), PLAIN))
-            .chain([(Which::AllVectors, "every reading".to_owned(), 1.0)])
+        let mut scopes: Vec<(Which, Phrase, f64)> = figures
+            .map(|(of, _, at)| (of, at, PLAIN))
+            .chain([(Which::AllVectors, say!("every reading"), 1.0)])
             .collect();
         for quantity in self.read() {
             if super::answers::is_vector(&quantity) {
                 // A reading that nobody sees is the less likely one.
                 let price = if self.observed().contains(&quantity) { PLAIN } else { UNSEEN };
-                scopes.push((Which::One(quantity), self.name(&quantity), price));
+                scopes.push((Which::One(quantity), self.name(&quantity).into(), price));
             }
         }
         for (of, at, price) in scopes {
@@ -1748,7 +1788,7 @@ impl<'c> List<'c, '_> {
     fn follow(
         &mut self,
         (kind, of): (Kind, Which),
-        at: &str,
+        at: &Phrase,
         price: f64,
         read: &Change,
         by: &dyn Fn(f64) -> f64,
@@ -1803,12 +1843,17 @@ impl<'c> List<'c, '_> {
 
     /// A polygon that the student drew turned against the skeleton.
     fn figures_turned(&mut self) {
-        let polygons =
-            [(Order::Velocity, "the velocity polygon"), (Order::Acceleration, "the acceleration polygon")];
+        let polygons = [
+            (Order::Velocity, say!("the velocity polygon")),
+            (Order::Acceleration, say!("the acceleration polygon")),
+        ];
         for (order, at) in polygons {
             let Some(by) = self.case.turns.against_sheet(order) else { continue };
-            let sense = if by < 0.0 { "clockwise" } else { "counter-clockwise" };
-            let how = format!("by {:.0}° {sense}", by.abs().to_degrees());
+            let degrees = format!("{:.0}", by.abs().to_degrees());
+            let how = match by < 0.0 {
+                true => say!("by {}° clockwise", degrees),
+                false => say!("by {}° counter-clockwise", degrees),
+            };
             let read = Change::read(Misreading::Turned { order, by });
             self.add_so((Kind::FigureTurned, how), at, None, 1.0, read);
         }
@@ -1885,9 +1930,9 @@ impl<'c> List<'c, '_> {
     }
 
     /// "bc read for oc".
-    fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> String {
+    fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> Phrase {
         let name = |label| crate::sheet::image_symbol(self.case.scene, label, order.diagram()).plain;
-        format!("{}{} read for {}{}", name(tail), name(head), name(vector.tail), name(vector.head))
+        say!("{} read for {}", name(tail) + &name(head), name(vector.tail) + &name(vector.head))
     }
 
     // --- what stands in the construction -------------------------------------------------------

@@ -38,6 +38,7 @@ mod misread;
 mod mistakes;
 mod nearest;
 mod page;
+mod phrase;
 mod report;
 mod routes;
 mod scan;
@@ -47,6 +48,7 @@ mod svg;
 mod symbols;
 mod text;
 mod turned;
+mod unread;
 mod variant;
 mod weight;
 mod words;
@@ -61,17 +63,20 @@ pub use class::{ClassFault, HandIn, class_csv, class_faults, faults_csv};
 pub(crate) use digits::with_plain_digits;
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
-pub use report::{Allowed, Amiss, FirstFault, Graded, Report, StepMarks};
+pub use phrase::Phrase;
+use phrase::say;
+pub use report::{Allowed, Amiss, FirstFault, Graded, NotRead, Report, StepMarks};
 pub use scan::Scan;
 pub use schema::schema;
 pub use symbols::Symbols;
+pub use unread::Unread;
 pub use variant::Key;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
 use crate::mechanism::quantity::{DiagramKind, Order};
 use crate::scene::{Diagnostic, Scene};
-use crate::sheet::{Figure, Own, Spot};
+use crate::sheet::{Figure, Language, Own, Spot};
 use crate::solve::SolveError;
 use crate::tolerance::DRAUGHTSMEN;
 pub use crate::tolerance::MAX_TOLERANCE;
@@ -90,6 +95,8 @@ pub struct GradeSettings {
     pub trusts_answers: bool,
     /// Whether marks are given by the parts of an exam's key: sense and direction have theirs.
     pub by_parts: bool,
+    /// In which language the report is told.
+    pub language: Language,
 }
 
 impl Default for GradeSettings {
@@ -100,6 +107,7 @@ impl Default for GradeSettings {
             max_tolerance: MAX_TOLERANCE,
             trusts_answers: false,
             by_parts: false,
+            language: Language::default(),
         }
     }
 }
@@ -163,9 +171,9 @@ pub fn grade_with_overlay(
         .enumerate()
         .map(|(place, graded)| {
             let fault = FirstFault { step: graded.step, name: &graded.name, mistakes: &graded.mistakes };
+            let told = if place == 0 { say!("First fault, {}", fault.text()) } else { fault.text() };
             // A caption has no raised and lowered letters.
-            let told = report.symbols.plain(&fault.text()).replace('_', "");
-            if place == 0 { format!("First fault, {told}") } else { told }
+            report.says(&told).replace('_', "")
         })
         .collect();
     let faults: Vec<crate::sheet::Fault<'_>> = judgement
@@ -188,7 +196,7 @@ pub fn grade_with_overlay(
         }
     }
     let (balance, drawn) = (case.balance(), (&student.construction, &own));
-    let figure = crate::sheet::overlay(scene, &right, drawn, balance, &faults);
+    let figure = crate::sheet::overlay(scene, &right, drawn, balance, (&faults, settings.language));
     Ok((report, figure))
 }
 

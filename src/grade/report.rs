@@ -6,9 +6,12 @@ use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
 use super::judge::{Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
+use super::phrase::{Phrase, say};
 use super::symbols::Symbols;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Nature, Order, Quantity, Unit};
+use crate::scene::Diagnostic;
+use crate::sheet::Language;
 
 /// A graded solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +24,8 @@ pub struct Report {
     pub quantities: Vec<Graded>,
     /// What is asked and was not answered, with the marks that it would have brought.
     pub missing: Vec<(String, f64)>,
+    /// What was handed in and is not understood: it answers nothing.
+    pub not_read: Vec<NotRead>,
     /// Points given for steps; what was not answered is one of them, without a step.
     pub marks: Vec<StepMarks>,
     /// What its names are called on the sheet.
@@ -34,6 +39,19 @@ pub struct Report {
     pub tolerances_ignored: bool,
     /// The variant of the exam to which the answers belong, where that is another one.
     pub other_variant: Option<String>,
+    /// In which language it is told.
+    pub language: Language,
+}
+
+/// A field of a hand-in that is not understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotRead {
+    /// As the file names it.
+    pub name: String,
+    /// What is not understood of it, where, and how to mend it.
+    pub why: Diagnostic,
+    /// The marks that it would have brought: none where something else answers what it was for, or nobody knows.
+    pub weight: f64,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -134,12 +152,12 @@ pub struct FirstFault<'r> {
 impl FirstFault<'_> {
     /// The answer and its likeliest mistake, in words.
     #[must_use]
-    pub fn text(&self) -> String {
+    pub fn text(&self) -> Phrase {
         match self.mistakes.first() {
-            None => format!("{}: no known mistake fits", self.name),
+            None => say!("{}: no known mistake fits", self.name),
             // Most mistakes are made at the answer that shows them.
             Some(mistake) if mistake.at == self.name => mistake.text(),
-            Some(mistake) => format!("{}: {}", self.name, mistake.text()),
+            Some(mistake) => say!("{}: {}", self.name, mistake.text()),
         }
     }
 }
@@ -184,19 +202,21 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
             Graded { charged: charged.contains(&index), ..graded }
         })
         .collect();
-    let missing = missing(case);
-    let marks = marks(&quantities, case, &missing);
+    let (missing, not_read) = unanswered(case);
+    let marks = marks(&quantities, case, &missing, &not_read);
     Report {
         scene: case.scene.source.file().to_owned(),
         student: answers.student.clone(),
         quantities,
         missing,
+        not_read,
         marks,
         symbols: case.symbols(),
         turned: case.turns.told(),
         enlarged: case.enlarged,
         tolerances_ignored: case.tolerances_ignored,
         other_variant: answers.other_variant.clone(),
+        language: case.language,
     }
 }
 
@@ -315,14 +335,23 @@ fn weight(case: &Case<'_>, observation: &Observation) -> f64 {
     stated(case, asked.map_or(&observation.name, |asked| &asked.name))
 }
 
-/// What is asked, and neither answered nor drawn as a point.
-fn missing(case: &Case<'_>) -> Vec<(String, f64)> {
+/// What is asked, and neither answered nor drawn as a point; and what was handed in for it and is not understood.
+fn unanswered(case: &Case<'_>) -> (Vec<(String, f64)>, Vec<NotRead>) {
     let answered = |wanted: Quantity| {
         let own = case.observations.iter().any(|observation| observation.quantity == Some(wanted));
         own || shown(case, &vec![Verdict::NotChecked; case.observations.len()], wanted).is_some()
     };
     let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(asked.quantity));
-    asked.map(|asked| (asked.name.clone(), stated(case, &asked.name))).collect()
+    let mut open: Vec<(Quantity, (String, f64))> =
+        asked.map(|asked| (asked.quantity, (asked.name.clone(), stated(case, &asked.name)))).collect();
+    let not_read = case.unread.iter().map(|unread| {
+        let own = |quantity: &Quantity| Some(*quantity) == unread.quantity;
+        let weight = open.iter().filter(|(quantity, _)| own(quantity)).map(|(_, (_, marks))| marks).sum();
+        open.retain(|(quantity, _)| !own(quantity));
+        NotRead { name: unread.name.clone(), why: unread.why.clone(), weight }
+    });
+    let not_read = not_read.collect();
+    (open.into_iter().map(|(_, missing)| missing).collect(), not_read)
 }
 
 fn graded(
@@ -433,7 +462,12 @@ fn consistent_share(case: &Case<'_>, index: usize) -> f64 {
 }
 
 /// Marks by steps: what is right, or follows rightly, has its whole weight.
-fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> Vec<StepMarks> {
+fn marks(
+    quantities: &[Graded],
+    case: &Case<'_>,
+    missing: &[(String, f64)],
+    not_read: &[NotRead],
+) -> Vec<StepMarks> {
     let mut steps: Vec<((Order, Option<usize>), StepMarks)> = Vec::new();
     for (graded, observation) in quantities.iter().zip(&case.observations) {
         if graded.verdict == Verdict::NotChecked {
@@ -451,13 +485,10 @@ fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> V
         marks.reached += graded.reached();
     }
     let mut marks: Vec<StepMarks> = steps.into_iter().map(|(_, marks)| marks).collect();
-    if !missing.is_empty() {
-        marks.push(StepMarks {
-            step: None,
-            names: missing.iter().map(|(name, _)| name.clone()).collect(),
-            reached: 0.0,
-            of: missing.iter().map(|(_, weight)| weight).sum(),
-        });
+    let unread = not_read.iter().filter(|one| one.weight > 0.0).map(|one| (one.name.clone(), one.weight));
+    let (names, weights): (Vec<String>, Vec<f64>) = missing.iter().cloned().chain(unread).unzip();
+    if !names.is_empty() {
+        marks.push(StepMarks { step: None, names, reached: 0.0, of: weights.iter().sum() });
     }
     marks
 }
@@ -499,11 +530,11 @@ impl Report {
     #[must_use]
     pub fn to_json(&self) -> Value {
         let quantities: Vec<Value> =
-            self.quantities.iter().map(|graded| quantity_json(graded, &self.symbols)).collect();
+            self.quantities.iter().map(|graded| self.quantity_json(graded)).collect();
         let first = self.first_fault().map(|fault| {
             json!({
                 "step": fault.step, "name": fault.name,
-                "mistakes": fault.mistakes.iter().map(|mistake| mistake_json(mistake, &self.symbols)).collect::<Vec<_>>(),
+                "mistakes": fault.mistakes.iter().map(|mistake| self.mistake_json(mistake)).collect::<Vec<_>>(),
             })
         });
         let (reached, of) = self.sum();
@@ -516,6 +547,7 @@ impl Report {
             "scene": self.scene,
             "quantities": quantities,
             "missing": self.missing.iter().map(|(name, _)| name).collect::<Vec<_>>(),
+            "not_read": self.not_read.iter().map(not_read_json).collect::<Vec<_>>(),
             "first_fault": first,
             "marks": { "reached": reached, "of": of, "steps": steps },
         });
@@ -536,50 +568,57 @@ impl Report {
         }
         report
     }
-}
 
-fn quantity_json(graded: &Graded, symbols: &Symbols) -> Value {
-    let one = |numbers: &[f64]| match numbers {
-        [x] => json!(x),
-        [] => Value::Null,
-        numbers => json!(numbers),
-    };
-    let mut value = json!({
-        "name": graded.name,
-        "unit": graded.unit.symbol,
-        "given": one(&graded.given),
-        "right": one(&graded.right),
-        "tolerance": graded.tolerance,
-        "tolerance_because": graded.because(),
-        "measurable": !matches!(graded.allowed, Allowed::Capped { .. }),
-        "marks": { "reached": graded.reached(), "of": graded.weight },
-        "asked": graded.asked,
-        "verdict": graded.verdict.name(),
-    });
-    if let Some(turn) = graded.turn {
-        value["tolerance_direction_deg"] = json!(turn);
-    }
-    if graded.verdict == Verdict::Wrong {
-        if graded.turn.is_some() {
-            let parts = [("magnitude", graded.amiss.size), ("direction", graded.amiss.direction)];
-            value["wrong_in"] = parts.into_iter().filter(|(_, off)| *off).map(|(part, _)| part).collect();
-        }
-        value["mistakes"] = graded.mistakes.iter().map(|mistake| mistake_json(mistake, symbols)).collect();
-    }
-    value
-}
-
-fn mistake_json(mistake: &Mistake, symbols: &Symbols) -> Value {
-    let mut value = json!({
-        "kind": mistake.kind.name(), "at": mistake.at, "step": mistake.step,
-        "residual": mistake.residual, "explains": mistake.explains, "text": symbols.plain(&mistake.text()),
-        "look": mistake.look(),
-    });
-    if let Some(also) = &mistake.also {
-        value["also"] = json!({
-            "kind": also.kind.name(), "at": also.at, "step": also.step, "text": symbols.plain(&also.own_text()),
-            "look": also.look(),
+    fn quantity_json(&self, graded: &Graded) -> Value {
+        let one = |numbers: &[f64]| match numbers {
+            [x] => json!(x),
+            [] => Value::Null,
+            numbers => json!(numbers),
+        };
+        let mut value = json!({
+            "name": graded.name,
+            "unit": graded.unit.symbol,
+            "given": one(&graded.given),
+            "right": one(&graded.right),
+            "tolerance": graded.tolerance,
+            "tolerance_because": graded.because().told(self.language),
+            "measurable": !matches!(graded.allowed, Allowed::Capped { .. }),
+            "marks": { "reached": graded.reached(), "of": graded.weight },
+            "asked": graded.asked,
+            "verdict": graded.verdict.name(),
         });
+        if let Some(turn) = graded.turn {
+            value["tolerance_direction_deg"] = json!(turn);
+        }
+        if graded.verdict == Verdict::Wrong {
+            if graded.turn.is_some() {
+                let parts = [("magnitude", graded.amiss.size), ("direction", graded.amiss.direction)];
+                value["wrong_in"] = parts.into_iter().filter(|(_, off)| *off).map(|(part, _)| part).collect();
+            }
+            value["mistakes"] = graded.mistakes.iter().map(|mistake| self.mistake_json(mistake)).collect();
+        }
+        value
     }
-    value
+
+    fn mistake_json(&self, mistake: &Mistake) -> Value {
+        let mut value = json!({
+            "kind": mistake.kind.name(), "at": &*mistake.at, "step": mistake.step,
+            "residual": mistake.residual, "explains": mistake.explains, "text": self.says(&mistake.text()),
+            "look": mistake.look().told(self.language),
+        });
+        if let Some(also) = &mistake.also {
+            value["also"] = json!({
+                "kind": also.kind.name(), "at": &*also.at, "step": also.step,
+                "text": self.says(&also.own_text()), "look": also.look().told(self.language),
+            });
+        }
+        value
+    }
+}
+
+fn not_read_json(NotRead { name, why, weight }: &NotRead) -> Value {
+    json!({
+        "name": name, "file": why.file, "line": why.line, "column": why.column, "path": why.path,
+        "what": why.what, "mend": why.mend, "marks": { "reached": 0.0, "of": weight },
+    })
 }

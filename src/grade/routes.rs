@@ -11,6 +11,7 @@ use super::change::Change;
 use super::force_mistakes::same as same_force;
 use super::judge::Verdict;
 use super::mean_line::Cut;
+use super::phrase::{Phrase, say};
 use super::steps::{self, By};
 use crate::graphical::Sketch;
 use crate::graphical::construction::{Act, Acting, Calculation, Label, Reference};
@@ -56,7 +57,8 @@ pub(super) fn follows(
     let fits = |numbers: &[f64]| {
         let right = case.truth[index].as_deref().map_or(0.0, size);
         let larger = if right > 0.0 { (size(numbers) / right).max(1.0) } else { 1.0 };
-        let room = Room { by: allowed.by * larger, ..allowed }.and(case.most(index, numbers));
+        let room = allowed.of_size(size(numbers), right);
+        let room = Room { by: room.by * larger, ..room }.and(case.most(index, numbers));
         case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
     desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, (index, by), &fits)
@@ -78,7 +80,7 @@ pub(super) fn follows_from_right_numbers(
 
 /// Where a centre would be found on one right line and on one through two centres that no third link has in common, with
 /// what these are; the others are as the student has them.
-pub(super) fn on_wrong_lines(case: &Case<'_>, base: &Sketch, index: usize) -> Vec<(String, Xy)> {
+pub(super) fn on_wrong_lines(case: &Case<'_>, base: &Sketch, index: usize) -> Vec<(Phrase, Xy)> {
     let Some(Quantity::Centre(i, j)) = case.observations[index].quantity else { return Vec::new() };
     let (seen, verdicts) = (&case.truth, &vec![Some(Verdict::Right); case.observations.len()]);
     Desk { case, base, seen, verdicts, index }.on_wrong_lines(i, j)
@@ -890,7 +892,7 @@ impl Desk<'_, '_> {
     }
 
     /// See [`on_wrong_lines`].
-    fn on_wrong_lines(&self, i: LinkId, j: LinkId) -> Vec<(String, Xy)> {
+    fn on_wrong_lines(&self, i: LinkId, j: LinkId) -> Vec<(Phrase, Xy)> {
         let mechanism = &self.case.mechanism;
         let third: Vec<LinkId> = [LinkId::FRAME]
             .into_iter()
@@ -899,7 +901,7 @@ impl Desk<'_, '_> {
             .collect();
         let right = third.iter().filter_map(|&k| self.line_of_centres([i, j, k], Self::stated_centre));
         let right: Vec<[Xy; 2]> = right.map(|line| line.value).collect();
-        let mut found: Vec<(String, Xy)> = Vec::new();
+        let mut found: Vec<(Phrase, Xy)> = Vec::new();
         for (&k, &l) in third.iter().flat_map(|k| third.iter().map(move |l| (k, l))) {
             let (Some(a), Some(b)) = (self.stated_centre(i, k), self.stated_centre(l, j)) else { continue };
             if k == l {
@@ -907,7 +909,7 @@ impl Desk<'_, '_> {
             }
             let [a, b] = [a.value, b.value];
             let name = |a: LinkId, b: LinkId| self.case.named(&Quantity::Centre(a.min(b), a.max(b)));
-            let how = format!("the line through {} and {}", name(i, k), name(l, j));
+            let how = say!("the line through {} and {}", name(i, k), name(l, j));
             let along = minus(b, a);
             for &[base, direction] in &right {
                 let sine = cross(direction, along);

@@ -58,7 +58,9 @@ pub(super) fn lead_to(
         let ways = |of: &[usize]| -> Vec<Vec<Change>> {
             let of = of.iter().map(|&other| {
                 let mut ways = ways_of(case, &sketch, other, seen[other].as_deref());
-                ways.retain(|way| takes_its_place(case, &base.and(way), other));
+                // What stands in the drawing already is not drawn a second time.
+                let stands = |way: &Change| way.departures.iter().all(|own| base.departures.contains(own));
+                ways.retain(|way| !stands(way) && takes_its_place(case, &base.and(way), other));
                 ways
             });
             of.filter(|ways| !ways.is_empty()).collect()
@@ -67,8 +69,9 @@ pub(super) fn lead_to(
         let leads = |change: &Change| {
             let change = base.and(change);
             let Some(sketch) = case.drawn(&change, None) else { return false };
+            let held = [Verdict::Right, Verdict::Consistent];
             case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
-                && is_the_students(case, verdicts, index, &case.seen(&sketch, &change))
+                && is_the_students(case, (verdicts, &held), index, &case.seen(&sketch, &change))
         };
         if tried(&wrong, &right, by).iter().take(DRAWINGS).any(leads) {
             return true;
@@ -77,18 +80,17 @@ pub(super) fn lead_to(
     false
 }
 
-/// Whether a drawing has all that the student handed in before an answer and that is right or follows: one that has only a
-/// part of it is nobody's drawing, and some such leads near any number.
-fn is_the_students(
+/// Whether a drawing has all that the student handed in before an answer and that is right, or follows (what is `held`): one
+/// that has only a part of it is nobody's drawing, and some such leads near any number.
+pub(super) fn is_the_students(
     case: &Case<'_>,
-    verdicts: &[Option<Verdict>],
+    (verdicts, held): (&[Option<Verdict>], &[Verdict]),
     index: usize,
     seen: &[Option<Vec<f64>>],
 ) -> bool {
     let judged = |other: &usize| {
-        let verdict = verdicts[*other];
         // What is wrong may have any cause; what is right, or follows, must stand in the drawing.
-        matches!(verdict, Some(Verdict::Right | Verdict::Consistent)) && !case.hands_in_nothing(*other)
+        verdicts[*other].is_some_and(|verdict| held.contains(&verdict)) && !case.hands_in_nothing(*other)
     };
     (0..index).filter(judged).all(|other| {
         let [own, right] = [&seen[other], &case.truth[other]].map(|n| n.as_deref().map_or(0.0, size));

@@ -4,18 +4,20 @@ use std::fmt::Write as _;
 
 use super::answers::Form;
 use super::judge::{CLOSE, Mistake, Verdict};
-use super::report::{Allowed, Graded, Report};
+use super::phrase::{Phrase, say};
+use super::report::{Allowed, Amiss, Graded, Report};
 use super::symbols::Symbols;
+use crate::sheet::Language;
 
 impl Verdict {
     /// What a student is told.
     #[must_use]
-    pub fn told(self) -> &'static str {
+    pub fn told(self) -> Phrase {
         match self {
-            Self::Right => "right",
-            Self::Consistent => "follows rightly from an earlier fault",
-            Self::Wrong => "wrong",
-            Self::NotChecked => "not determined here",
+            Self::Right => say!("right"),
+            Self::Consistent => say!("follows rightly from an earlier fault"),
+            Self::Wrong => say!("wrong"),
+            Self::NotChecked => say!("not determined here"),
         }
     }
 }
@@ -23,7 +25,7 @@ impl Verdict {
 impl Graded {
     /// What was handed in, in the form and with the digits in which it was written.
     #[must_use]
-    pub fn handed_in(&self) -> String {
+    pub fn handed_in(&self) -> Phrase {
         let written = if self.rounding > 0.0 { 2.0 * self.rounding } else { 0.0 };
         let finest = if written > 0.0 { written } else { self.tolerance / 10.0 };
         self.told(&self.given, finest, Within::Left)
@@ -31,13 +33,13 @@ impl Graded {
 
     /// What is right, in the same form, to three figures at least.
     #[must_use]
-    pub fn expected(&self) -> String {
+    pub fn expected(&self) -> Phrase {
         self.told(&self.right, self.finest(), Within::Left)
     }
 
     /// The same with the tolerances: of a vector one of the magnitude and one of the direction.
     #[must_use]
-    pub fn expected_within(&self) -> String {
+    pub fn expected_within(&self) -> Phrase {
         self.told(&self.right, self.finest(), Within::Told)
     }
 
@@ -51,14 +53,31 @@ impl Graded {
     }
 
     /// Which part of it is wrong, where it has parts.
+    fn parts_amiss(&self) -> Amiss {
+        self.turn.map_or(Amiss::default(), |_| self.amiss)
+    }
+
+    /// What is said of it in a word or two.
     #[must_use]
-    pub fn wrong_in(&self) -> Option<&'static str> {
-        self.turn?;
-        match (self.amiss.size, self.amiss.direction) {
-            (true, true) => Some("magnitude and direction"),
-            (true, false) => Some("the magnitude"),
-            (false, true) => Some("the direction"),
-            (false, false) => None,
+    pub fn judged(&self) -> Phrase {
+        let verdict = match (self.verdict, self.parts_amiss()) {
+            (Verdict::Wrong, Amiss { size: true, direction: true }) => say!("wrong: magnitude and direction"),
+            (Verdict::Wrong, Amiss { size: true, .. }) => say!("wrong: the magnitude"),
+            (Verdict::Wrong, Amiss { direction: true, .. }) => say!("wrong: the direction"),
+            (verdict, _) => verdict.told(),
+        };
+        match self.charged {
+            true => say!("{}, which costs its mark here", verdict),
+            false => self.with_what_is_untold(verdict),
+        }
+    }
+
+    /// The same, with what is not told of the answer.
+    fn with_what_is_untold(&self, verdict: Phrase) -> Phrase {
+        match self.silent() {
+            Some("sense") => say!("{}, but its sense is not told", verdict),
+            Some(_) => say!("{}, but its direction is not told", verdict),
+            None => verdict,
         }
     }
 
@@ -71,38 +90,51 @@ impl Graded {
 
     /// Why it may be off by that.
     #[must_use]
-    pub fn because(&self) -> String {
+    pub fn because(&self) -> Phrase {
         let unit = &self.unit.symbol;
         match self.allowed {
-            Allowed::Stated => "as the answers' file states it".to_owned(),
-            Allowed::Calculated => "calculated from what is given, no reading is behind it".to_owned(),
+            Allowed::Stated => say!("as the answers' file states it"),
+            Allowed::Calculated => say!("calculated from what is given, no reading is behind it"),
             Allowed::Read { mm: Some(mm), of: Some(of) } => {
-                format!("read: {} mm of {} mm on paper at that place", digits(mm, mm / 5.0), digits(of, 1.0))
+                let [mm, of] = [digits(mm, mm / 5.0), digits(of, 1.0)];
+                say!("read: {} mm of {} mm on paper at that place", mm, of)
             }
-            Allowed::Read { .. } => "calculated from what is read off the drawing".to_owned(),
+            Allowed::Read { .. } => say!("calculated from what is read off the drawing"),
             Allowed::Capped { honest, turn } => {
                 let honest = digits(honest, honest / 2.0);
-                let turn = turn.map_or(String::new(), |turn| format!(" and {}°", digits(turn, turn / 2.0)));
-                format!("hard to measure: a careful hand may be off by {honest} {unit}{turn} here")
+                match turn.map(|turn| digits(turn, turn / 2.0)) {
+                    None => say!("hard to measure: a careful hand may be off by {} {} here", honest, unit),
+                    Some(turn) => say!(
+                        "hard to measure: a careful hand may be off by {} {} and {}° here",
+                        honest,
+                        unit,
+                        turn
+                    ),
+                }
             }
         }
     }
 
     /// Numbers in the unit in which the student wrote them: millimetres of what lies on paper.
-    fn on_paper<'u>(&'u self, numbers: &[f64]) -> (Vec<f64>, &'u str) {
+    fn on_paper<'u>(&'u self, numbers: &[f64]) -> (Vec<f64>, Option<&'u str>) {
         match self.per_mm {
             Some(per_mm) if self.form == Form::Paper && per_mm > 0.0 => {
-                (numbers.iter().map(|n| n / per_mm).collect(), "mm on paper")
+                (numbers.iter().map(|n| n / per_mm).collect(), None)
             }
-            _ => (numbers.to_vec(), &self.unit.symbol),
+            _ => (numbers.to_vec(), Some(&self.unit.symbol)),
         }
     }
 
     /// Numbers to about a part of `finest`, with their tolerances or without.
-    fn told(&self, numbers: &[f64], finest: f64, within: Within) -> String {
+    fn told(&self, numbers: &[f64], finest: f64, within: Within) -> Phrase {
         let (numbers, unit) = self.on_paper(numbers);
         let (steps, _) = self.on_paper(&[finest, self.tolerance]);
         let [step, tolerance] = [0, 1].map(|place| steps.get(place).copied().unwrap_or(0.0));
+        // A number with its unit.
+        let of_unit = |number: String| match unit {
+            None => say!("{} mm on paper", number),
+            Some(unit) => Phrase::from(format!("{number} {unit}").trim_end()),
+        };
         let room = |size: f64| match within {
             Within::Left => String::new(),
             Within::Told => format!(" ± {}", digits(size, size / 10.0)),
@@ -112,34 +144,37 @@ impl Graded {
             Within::Left => String::new(),
             Within::Told => format!(" ± {}°", digits(turn, turn / 10.0)),
         });
-        let text = match numbers[..] {
-            [] => return "not determined here".to_owned(),
-            [value] => match (self.turns && !self.magnitude_only, value < 0.0) {
-                (false, _) => format!("{}{size} {unit}", digits(value, step)),
-                (true, true) => format!("{}{size} {unit} cw", digits(-value, step)),
-                (true, false) => format!("{}{size} {unit} ccw", digits(value, step)),
-            },
-            [x, y, ..] if self.form == Form::Polar => {
-                let length = digits(libm::hypot(x, y), step);
-                let direction = trimmed(&digits(libm::atan2(y, x).to_degrees(), 0.1));
-                format!("{length}{size} {unit} at {direction}°{turn}")
-            }
-            [x, y, ..] => {
-                let parts = match (within, self.turn) {
-                    (Within::Left, _) => String::new(),
-                    (Within::Told, None) => size,
-                    (Within::Told, Some(_)) if turn.is_empty() => format!(", magnitude{size} {unit}"),
-                    (Within::Told, Some(_)) => format!(", magnitude{size} {unit}, direction{turn}"),
-                };
-                match (within, self.turn) {
-                    (Within::Told, None) => {
-                        format!("({}, {}){parts} {unit}", digits(x, step), digits(y, step))
-                    }
-                    _ => format!("({}, {}) {unit}{parts}", digits(x, step), digits(y, step)),
+        match numbers[..] {
+            [] => say!("not determined here"),
+            [value] => {
+                let number = |value: f64| of_unit(format!("{}{size}", digits(value, step)));
+                match (self.turns && !self.magnitude_only, value < 0.0) {
+                    (false, _) => number(value),
+                    (true, true) => say!("{} cw", number(-value)),
+                    (true, false) => say!("{} ccw", number(value)),
                 }
             }
-        };
-        text.trim_end().to_owned()
+            [x, y, ..] if self.form == Form::Polar => {
+                let length = of_unit(format!("{}{size}", digits(libm::hypot(x, y), step)));
+                let direction = trimmed(&digits(libm::atan2(y, x).to_degrees(), 0.1));
+                say!("{} at {}°{}", length, direction, turn)
+            }
+            [x, y, ..] => {
+                let both = format!("({}, {})", digits(x, step), digits(y, step));
+                match (within, self.turn) {
+                    (Within::Told, None) => of_unit(both + &size),
+                    (Within::Left, _) => of_unit(both),
+                    (Within::Told, Some(_)) => {
+                        let symbol = unit.unwrap_or("mm");
+                        let both = of_unit(both);
+                        match turn.is_empty() {
+                            true => say!("{}, magnitude{} {}", both, size, symbol),
+                            false => say!("{}, magnitude{} {}, direction{}", both, size, symbol, turn),
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -160,112 +195,166 @@ fn trimmed(number: &str) -> String {
 
 impl Report {
     /// What is told before all answers.
-    pub(super) fn notes(&self) -> Vec<String> {
+    pub(super) fn notes(&self) -> Vec<Phrase> {
         let turned = self.turned.map(|turned| {
-            let sense = if turned < 0.0 { "clockwise" } else { "counter-clockwise" };
             let by = digits(turned.abs(), 0.1);
-            format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared.")
+            match turned < 0.0 {
+                true => say!(
+                    "Your drawing lies turned by {}° clockwise; it was turned back before it was compared.",
+                    by
+                ),
+                false => say!(
+                    "Your drawing lies turned by {}° counter-clockwise; it was turned back before it was compared.",
+                    by
+                ),
+            }
         });
         let enlarged = self.enlarged.map(|factor| {
-            let (times, how) = if factor < 1.0 { (1.0 / factor, "smaller") } else { (factor, "larger") };
-            let times = trimmed(&digits(times, 0.01));
-            format!(
-                "Your skeleton is {times} times {how} than at the sheet's scale; it was compared at its own."
-            )
+            let times = |factor: f64| trimmed(&digits(factor, 0.01));
+            match factor < 1.0 {
+                true => say!(
+                    "Your skeleton is {} times smaller than at the sheet's scale; it was compared at its own.",
+                    times(1.0 / factor)
+                ),
+                false => say!(
+                    "Your skeleton is {} times larger than at the sheet's scale; it was compared at its own.",
+                    times(factor)
+                ),
+            }
         });
-        let stated = "The tolerance that these answers state does not count: the examiner sets it.";
         let variant = self.other_variant.as_ref().map(|variant| {
-            format!(
-                "These are the answers of variant {variant}: the number of the variant is wrong, or they are not the student's own. \
-                 Nothing follows from them."
+            say!(
+                "These are the answers of variant {}: the number of the variant is wrong, or they are not the student's own. Nothing follows from them.",
+                variant
             )
         });
-        let stated = self.tolerances_ignored.then(|| stated.to_owned());
+        let stated = self
+            .tolerances_ignored
+            .then(|| say!("The tolerance that these answers state does not count: the examiner sets it."));
         variant.into_iter().chain(turned).chain(enlarged).chain(stated).collect()
+    }
+
+    /// A sentence in the language of the report, with names as the sheet prints them.
+    pub(super) fn says(&self, phrase: &Phrase) -> String {
+        self.symbols.plain(&phrase.told(self.language))
     }
 
     /// The report as text.
     #[must_use]
     pub fn to_text(&self) -> String {
         let mut text = String::new();
+        let mut line = |told: String| {
+            let _ = writeln!(text, "{told}");
+        };
         if let Some(student) = &self.student {
-            let _ = writeln!(text, "{student}");
+            line(student.clone());
         }
         for note in self.notes() {
-            let _ = writeln!(text, "{note}");
+            line(note.told(self.language));
         }
         let rows: Vec<[String; 3]> =
-            self.quantities.iter().map(|graded| row(graded, &self.symbols)).collect();
+            self.quantities.iter().map(|graded| row(graded, &self.symbols, self.language)).collect();
         let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
-        let widths = [width(0), width(1)];
+        let [a, b] = [width(0), width(1)];
         for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
-            let [a, b] = widths;
-            let _ = writeln!(text, "{name:<a$}  {given:<b$}  {verdict}");
-            if graded.verdict != Verdict::Wrong || self.other_variant.is_some() {
-                continue;
-            }
-            for line in sentences(graded) {
-                let _ = writeln!(text, "    {}", self.symbols.plain(&line));
+            line(format!("{name:<a$}  {given:<b$}  {verdict}"));
+            if graded.verdict == Verdict::Wrong && self.other_variant.is_none() {
+                line(format!("    {}", self.says(&sentence(graded))));
             }
         }
         if !self.missing.is_empty() {
-            let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
-            let _ = writeln!(text, "not answered: {}", self.symbols.plain(&names.join(", ")));
+            line(self.says(&say!("not answered: {}", self.names_of_missing())));
+        }
+        for one in &self.not_read {
+            let (name, why) = (self.symbols.plain(&one.name), one.why.to_string());
+            let told = match one.weight > 0.0 {
+                true => say!("not read, no marks: {}: {}", name, why),
+                false => say!("not read: {}: {}", name, why),
+            };
+            line(told.told(self.language));
         }
         if let (Some(fault), None) = (self.first_fault(), &self.other_variant) {
-            let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
-            let _ = writeln!(text, "first fault{place}, {}", self.symbols.plain(&fault.text()));
+            let told = match fault.step {
+                Some(step) => say!("first fault in step {}, {}", step, fault.text()),
+                None => say!("first fault, {}", fault.text()),
+            };
+            line(self.says(&told));
         }
         let (reached, of) = self.sum();
-        let _ = writeln!(text, "marks: {} of {}", marks(reached), marks(of));
+        line(self.says(&say!("marks: {} of {}", marks(reached), marks(of))));
         text
+    }
+
+    /// What is asked and was not answered.
+    pub(super) fn names_of_missing(&self) -> String {
+        let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
+        names.join(", ")
     }
 }
 
 /// What is said of a wrong answer: what it probably is, and where to look.
-pub(super) fn sentences(graded: &Graded) -> Vec<String> {
+pub(super) fn sentence(graded: &Graded) -> Phrase {
     let Some(mistake) = graded.mistakes.first() else {
-        let step = graded.step.map_or(String::new(), |step| format!(" from step {step} of the solution on"));
-        return vec![format!("No known mistake leads to this value; compare your drawing{step}.")];
+        return match graded.step {
+            Some(step) => say!(
+                "No known mistake leads to this value; compare your drawing from step {} of the solution on.",
+                step
+            ),
+            None => say!("No known mistake leads to this value; compare your drawing."),
+        };
     };
-    let told = |mistake: &Mistake| {
-        let step = mistake.step.or(graded.step);
-        let step = step.map_or(String::new(), |step| format!(" (step {step} of the solution)"));
-        format!("{}{step}", mistake.own_text())
+    let told = |mistake: &Mistake| match mistake.step.or(graded.step) {
+        Some(step) => say!("{} (step {} of the solution)", mistake.own_text(), step),
+        None => mistake.own_text(),
     };
-    let parts: Vec<String> = mistake.parts().map(told).collect();
-    let mut looks: Vec<&str> = mistake.parts().map(Mistake::look).collect();
-    looks.dedup();
-    let sum = if parts.len() > 1 { "two mistakes at once: " } else { "" };
     // What comes near by a value that is no mistake of its own is no more than possible.
-    let likely = if mistake.parts().all(|part| part.residual <= CLOSE) { "Probably" } else { "Perhaps" };
-    vec![format!("{likely} {sum}{}. {}", parts.join("; and "), looks.join(" "))]
+    let likely = mistake.parts().all(|part| part.residual <= CLOSE);
+    let (first, look) = (told(mistake), mistake.look());
+    let Some(also) = &mistake.also else {
+        return if likely {
+            say!("Probably {}. {}", first, look)
+        } else {
+            say!("Perhaps {}. {}", first, look)
+        };
+    };
+    let both = say!("{}; and {}", first, told(also));
+    let looks = if also.look() == look { look } else { say!("{} {}", look, also.look()) };
+    match likely {
+        true => say!("Probably two mistakes at once: {}. {}", both, looks),
+        false => say!("Perhaps two mistakes at once: {}. {}", both, looks),
+    }
 }
 
-fn row(graded: &Graded, symbols: &Symbols) -> [String; 3] {
-    let verdict = match graded.verdict {
-        Verdict::Right if graded.beyond => {
-            format!("right as far as it can be measured ({})", graded.expected_within())
+fn row(graded: &Graded, symbols: &Symbols, language: Language) -> [String; 3] {
+    let verdict = match (graded.verdict, graded.parts_amiss()) {
+        (Verdict::Right, _) if graded.beyond => {
+            say!("right as far as it can be measured ({})", graded.expected_within())
         }
-        Verdict::Right => format!("right ({})", graded.expected_within()),
-        Verdict::Wrong => {
-            let part = graded.wrong_in().map_or(String::new(), |part| format!(" in {part}"));
-            format!("wrong{part}: {} is right", graded.expected_within())
+        (Verdict::Right, _) => say!("right ({})", graded.expected_within()),
+        (Verdict::Wrong, Amiss { size: true, direction: true }) => {
+            say!("wrong in magnitude and direction: {} is right", graded.expected_within())
         }
-        Verdict::Consistent => {
-            format!("{} ({} is right)", Verdict::Consistent.told(), graded.expected())
+        (Verdict::Wrong, Amiss { size: true, .. }) => {
+            say!("wrong in the magnitude: {} is right", graded.expected_within())
         }
-        Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
+        (Verdict::Wrong, Amiss { direction: true, .. }) => {
+            say!("wrong in the direction: {} is right", graded.expected_within())
+        }
+        (Verdict::Wrong, _) => say!("wrong: {} is right", graded.expected_within()),
+        (Verdict::Consistent, _) => {
+            say!("follows rightly from an earlier fault ({} is right)", graded.expected())
+        }
+        (Verdict::NotChecked, _) => Verdict::NotChecked.told(),
     };
-    let unasked = match (graded.asked, graded.share < 1.0) {
-        _ if graded.charged => ", which costs its mark here".to_owned(),
-        (false, _) => ", no marks".to_owned(),
+    let verdict = match (graded.asked, graded.share < 1.0) {
+        _ if graded.charged => say!("{}, which costs its mark here", verdict),
+        (false, _) => say!("{}, no marks", verdict),
         (true, true) if graded.verdict == Verdict::Wrong && graded.reached() > 0.0 => {
-            ", with marks for the part that is right".to_owned()
+            say!("{}, with marks for the part that is right", verdict)
         }
-        _ => graded.silent().map_or(String::new(), |untold| format!(", but its {untold} is not told")),
+        _ => graded.with_what_is_untold(verdict),
     };
-    [symbols.plain(&graded.name), graded.handed_in(), verdict + &unasked]
+    [symbols.plain(&graded.name), graded.handed_in().told(language), verdict.told(language)]
 }
 
 /// Marks as people write them.

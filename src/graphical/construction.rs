@@ -11,7 +11,7 @@ use crate::mechanism::force::{Action, Force, Party, Share, Sought};
 use crate::mechanism::friction::Rub;
 use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId};
 
 use super::auxiliary::AuxiliaryDrawing;
 pub use super::centres::CentreLine;
@@ -44,6 +44,60 @@ pub struct Construction {
 }
 
 impl Construction {
+    /// The fixed points that are nothing but centres of arcs of the frame and lie so far off that the skeleton would be half as
+    /// large again with them: the paper has the arc, and an arrow towards its centre. None where a stated place, a force or a
+    /// construction on the skeleton may start from there.
+    #[must_use]
+    pub fn far_centres(&self, mechanism: &Mechanism) -> Vec<PointId> {
+        /// By so much may a centre widen or heighten the skeleton.
+        const LARGER: f64 = 1.5;
+        let starts_elsewhere = self.circle.is_some() || self.forces.is_some() || !self.auxiliary.is_empty();
+        if starts_elsewhere || !mechanism.statements.is_empty() {
+            return Vec::new();
+        }
+        let centre = |path: Path| match path {
+            Path::Arc { centre: GuidePoint::Point(point), .. } => Some(point),
+            _ => None,
+        };
+        let begins = |path: Path| match path {
+            Path::Straight { through, direction, .. } => {
+                let through = if let GuidePoint::Point(point) = through { Some(point) } else { None };
+                let toward = if let Direction::Toward(point) = direction { Some(point) } else { None };
+                [through, toward]
+            }
+            Path::Arc { .. } => [None, None],
+        };
+        let paths = || mechanism.slides.iter().map(|slide| (slide.guide.link, slide.guide.path));
+        let lone = |point: PointId| {
+            paths().any(|(link, path)| link == LinkId::FRAME && centre(path) == Some(point))
+                && mechanism.is_fixed(point)
+                && mechanism.point(point).links.iter().all(|link| *link == LinkId::FRAME)
+                && !paths().any(|(_, path)| begins(path).contains(&Some(point)))
+                && !mechanism.asked.iter().any(|asked| asked.quantity.about().0.contains(&Some(point)))
+        };
+        let (lone, others): (Vec<PointId>, Vec<PointId>) =
+            (0..mechanism.points.len()).map(PointId).partition(|point| lone(*point));
+        let place = |point: &PointId| self.space.places.get(point.0).copied().flatten();
+        let mut own: Option<[Mm2; 2]> = None;
+        for at in others.iter().filter_map(place) {
+            let [least, most] = own.get_or_insert([at, at]);
+            for axis in [0, 1] {
+                (least[axis], most[axis]) = (least[axis].min(at[axis]), most[axis].max(at[axis]));
+            }
+        }
+        let Some([least, most]) = own else { return Vec::new() };
+        let far = |point: &PointId| {
+            let Some(at) = place(point) else { return false };
+            [0, 1].into_iter().any(|axis| {
+                let with = most[axis].max(at[axis]) - least[axis].min(at[axis]);
+                // A flat skeleton is as high as its links need for their names.
+                let alone = (most[axis] - least[axis]).max(0.25 * (most[1 - axis] - least[1 - axis]));
+                with > LARGER * alone
+            })
+        };
+        lone.into_iter().filter(far).collect()
+    }
+
     /// The vector diagram of a kind, where anything asked needs it.
     #[must_use]
     pub fn diagram(&self, kind: DiagramKind) -> Option<&Diagram> {
@@ -1334,6 +1388,13 @@ pub enum Act {
         /// Whether it is a group of turning pairs and pins on guides of more than two links, with nothing driven in it: then
         /// no dyad of it is solvable alone.
         of_no_dyad: bool,
+    },
+    /// At a rolling contact only the tangential parts count: what lies along the common normal is not drawn.
+    LeaveOutNormals {
+        /// The contact point.
+        contact: PointId,
+        /// The centre of the wheel whose turning is sought.
+        centre: PointId,
     },
     /// Draw two trial polygons.
     TryPolygon {

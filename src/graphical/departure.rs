@@ -12,7 +12,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
 
-use super::construction::{Claim, Construction, ForceSheet, Mm2};
+use super::construction::{Act, Calculation, Claim, Construction, ForceSheet, Mm2};
 use super::draughtsman::Draughtsman;
 use super::dyad::Route;
 use super::reading::read_all;
@@ -315,16 +315,28 @@ impl Draughtsman<'_> {
         self.board.multiple(distance, if meet.value() < 0.0 { -1.0 } else { 1.0 })
     }
 
-    /// A vector as it is read.
+    /// A vector as it is read. What was calculated is written down, and not read off with all others.
     pub(super) fn as_read(&mut self, quantity: Quantity, amount: Amount) -> Amount {
         let order = quantity.order();
+        let calculated = self.is_calculated(quantity);
         let factors = self.departures.iter().filter_map(|departure| match *departure {
             Departure::Read { quantity: of, factor } if of == quantity => Some(factor),
-            Departure::ReadAll { order: of, factor } if of == order => Some(factor),
+            Departure::ReadAll { order: of, factor } if of == order && !calculated => Some(factor),
             _ => None,
         });
         let factor = factors.reduce(|a, b| a * b);
         self.multiplied(amount, factor)
+    }
+
+    /// Whether a vector was calculated by the rate of its link before it was laid off.
+    fn is_calculated(&self, quantity: Quantity) -> bool {
+        let own = |act: &Act| match *act {
+            Act::Calculate(
+                Calculation::Speed { quantity: of, .. } | Calculation::Tangential { quantity: of, .. },
+            ) => of == quantity,
+            _ => false,
+        };
+        !self.departures.is_empty() && self.record().steps.iter().flat_map(|step| &step.acts).any(own)
     }
 
     /// The speed from which a normal part is calculated: as read, but for a driven link, where it was calculated

@@ -294,6 +294,25 @@ impl Draughtsman<'_> {
         Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
     }
 
+    /// What a link's turning gives one of its points against another: V, Aⁿ, Aᵗ. Where one of them is that under a pin of
+    /// another link, it is not what the pin has against the other.
+    fn turned_between(&self, link: LinkId, point: PointId, base: PointId) -> [Quantity; 3] {
+        let own = &self.mechanism.link(link).points;
+        if own.contains(&point) && own.contains(&base) {
+            [
+                Quantity::RelativeVelocity(point, base),
+                Quantity::RelativeNormal(point, base),
+                Quantity::RelativeTangential(point, base),
+            ]
+        } else {
+            [
+                Quantity::TurningVelocity(point, base, link),
+                Quantity::TurningNormal(point, base, link),
+                Quantity::TurningTangential(point, base, link),
+            ]
+        }
+    }
+
     /// Lays off what the rotation of a link of known rates gives between two of its points: V = ω l, or
     /// Aⁿ = ω² l and Aᵗ = ε l. Feet count from `index`; the last may be an image.
     pub(super) fn lay_off_turn(
@@ -311,14 +330,15 @@ impl Draughtsman<'_> {
         let outward = self.outward(link, base, point);
         let square = self.board.quarter_turn(outward);
         let mut parts = Vec::new();
+        let [velocity, of_normal, of_tangential] = self.turned_between(link, point, base);
         if second {
             let omega = self.rate(Order::Velocity, link);
             let speed = self.board.product(omega, length);
             let normal = self.board.product(omega, speed);
-            let quantity = Quantity::RelativeNormal(point, base);
+            let quantity = of_normal;
             self.act(Act::Calculate(Calculation::Normal {
                 quantity,
-                velocity: Quantity::RelativeVelocity(point, base),
+                velocity,
                 ends: [base, point],
                 speed: speed.value().abs(),
                 length: length.value(),
@@ -329,11 +349,8 @@ impl Draughtsman<'_> {
         }
         let rate = self.rate(order, link);
         let part = self.board.product(rate, length);
-        let (kind, quantity) = if second {
-            (VectorKind::Tangential, Quantity::RelativeTangential(point, base))
-        } else {
-            (VectorKind::Relative, Quantity::RelativeVelocity(point, base))
-        };
+        let (kind, quantity) =
+            if second { (VectorKind::Tangential, of_tangential) } else { (VectorKind::Relative, velocity) };
         self.act_turning(order, quantity, link, [base, point], [rate, length, part]);
         parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
         let count = parts.len();
@@ -346,6 +363,7 @@ impl Draughtsman<'_> {
             let label = here.unwrap_or(Label::Foot { point, link: None, index: next });
             let vector = self.note_vector(order, (kind, quantity, Some(claim)), foot, (label, at));
             self.act(Act::LayOffVector { vector, value: amount.value().abs(), mm: mm.value().abs() });
+            self.note_part(quantity, foot.1, at);
             if here.is_none() {
                 self.note_foot(order, label, at);
             }
@@ -540,8 +558,10 @@ impl Draughtsman<'_> {
             (_, Target::Pin(pin)) => Quantity::Velocity(pin),
             (_, Target::Under(pin, link)) => Quantity::CoincidentVelocity(pin, link),
         };
-        let drawn = |v: &Vector| v.quantity == quantity && v.tail == Label::Pole;
-        if !self.polygon(order).is_some_and(|p| p.vectors.iter().any(drawn)) {
+        let drawn = |v: &Vector| v.tail == Label::Pole && v.quantity == quantity;
+        let is_drawn = self.leads_from_pole(order, label)
+            && self.polygon(order).is_some_and(|p| p.vectors.iter().any(drawn));
+        if !is_drawn {
             self.absolute_vector(order, quantity, label, image);
         }
         for unknown in unknowns {
@@ -614,6 +634,16 @@ impl Draughtsman<'_> {
             let (whole, right) = (sought_whole(order, point), [first].into_iter().chain(parts).collect());
             self.equation(Equation { begins, whole: None, left: vec![whole], right });
         }
+    }
+
+    /// A_B = Aⁿ_B + Aᵗ_B of a point that moves about nothing but a resting one.
+    pub(super) fn parts_of_sum(&mut self, order: Order, point: PointId, parts: &[(Quantity, Claim)]) {
+        let laid = |&(quantity, claim): &(Quantity, Claim)| {
+            self.laid_off(order, quantity, TermDirection::Claim(claim))
+        };
+        let right: Vec<Term> = parts.iter().filter_map(laid).collect();
+        let left = vec![sought_whole(order, point)];
+        self.equation(Equation { begins: 0, whole: None, left, right });
     }
 
     /// A vector of the diagram that is known by now.
@@ -775,7 +805,7 @@ impl Draughtsman<'_> {
                 drawn.push(sought(quantity, Claim::Parallel(line)));
                 return Side { known, unknown: drawn, back: reversed, across: Vec::new() };
             }
-            Unknown::Carried { hold, back, pin: other, .. } => {
+            Unknown::Carried { hold, back, link, pin: other } => {
                 let side = self.side_of(order, Target::Pin(other), hold.unknown(back, other));
                 known.extend(side.known);
                 if !side.back {
@@ -783,13 +813,11 @@ impl Draughtsman<'_> {
                 }
                 let line = Reference::Points(other, pin);
                 let (parallel, square) = (Claim::Parallel(line), Claim::Perpendicular(line));
+                let [velocity, normal, tangential] = self.turned_between(link, pin, other);
                 let parts = if second {
-                    vec![
-                        (Quantity::RelativeNormal(pin, other), parallel),
-                        (Quantity::RelativeTangential(pin, other), square),
-                    ]
+                    vec![(normal, parallel), (tangential, square)]
                 } else {
-                    vec![(Quantity::RelativeVelocity(pin, other), square)]
+                    vec![(velocity, square)]
                 };
                 for (part, claim) in parts {
                     drawn.extend(self.laid_off(order, part, TermDirection::Claim(claim)));
@@ -825,7 +853,9 @@ impl Draughtsman<'_> {
                 };
                 drawn.extend(self.laid_off(order, part, TermDirection::Claim(across)));
                 if second {
+                    // Both lie along one line, and only their sum is sought.
                     let claim = self.common_normal(roll).1;
+                    drawn.push(sought(Quantity::ContactNormal(contact, wheel, other), claim));
                     drawn.push(sought(Quantity::RelativeNormal(centre, contact), claim));
                 }
             }

@@ -330,6 +330,9 @@ const ROUNDED: f64 = 4.0;
 /// diagrams. The board's own scales are powers of two, so that no digit depends on either. Gives the page's scales too.
 /// The plan comes with the extent for which it was made.
 ///
+/// Without a page the solution stays on the board and only numbers are told of it: of what stands on the paper unasked
+/// nothing is read off but the places.
+///
 /// # Errors
 /// See [`DrawError`].
 pub fn solution(
@@ -337,7 +340,7 @@ pub fn solution(
     mechanism: &Mechanism,
     structure: &Structure,
     (plan, extent): (&Plan, Extent),
-    choose: impl Fn(Extents) -> Scales,
+    choose: Option<&dyn Fn(Extents) -> Scales>,
 ) -> Result<(Scales, Solution), DrawError> {
     let board = board_scales(mechanism, structure, plan);
     let on_a_board = |mechanism| {
@@ -354,6 +357,9 @@ pub fn solution(
         loose = mechanism.loosened(ROUNDED * missed);
         drawn = on_a_board(&loose).map_err(ranged)?.1;
     }
+    let Some(choose) = choose else {
+        return Ok((board, read_off(drawn, plan, shown::places)));
+    };
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();
@@ -367,20 +373,31 @@ pub fn solution(
 }
 
 /// Draws what is planned besides, reads everything off, and says zero of what its bound cannot tell from it.
-fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solution {
+fn finish(draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solution {
+    let mechanism = draughtsman.mechanism;
+    let asked: HashSet<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
+    let mut solution = read_off(draughtsman, plan, shown::all);
+    let Solution { construction, tape, shown, .. } = &mut solution;
+    let mut zeros = settle::zeros(shown, tape, construction, is_told);
+    settle::with_rigid(&mut zeros, mechanism, construction);
+    settle::settle(construction, &zeros);
+    solution
+}
+
+/// Draws what is planned besides and reads off what is asked, and of everything else what `shown` reads.
+fn read_off(
+    mut draughtsman: Draughtsman<'_>,
+    plan: &Plan,
+    shown: impl Fn(&mut Draughtsman<'_>) -> Vec<Shown>,
+) -> Solution {
     auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
     let sheet = forces::record(&mut draughtsman, plan);
     draughtsman.note_forces(sheet);
-    let shown = shown::all(&mut draughtsman);
+    let shown = shown(&mut draughtsman);
     let lines = shown::lines(&mut draughtsman);
-    let asked: HashSet<Quantity> = draughtsman.mechanism.asked.iter().map(|asked| asked.quantity).collect();
-    let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
-    let mechanism = draughtsman.mechanism;
-    let (mut construction, mut tape) = draughtsman.finish(answers);
-    let mut zeros = settle::zeros(&shown, &mut tape, &construction, is_told);
-    settle::with_rigid(&mut zeros, mechanism, &construction);
-    settle::settle(&mut construction, &zeros);
+    let (construction, tape) = draughtsman.finish(answers);
     Solution { construction, tape, slots, shown, lines }
 }
 

@@ -13,7 +13,7 @@ use crate::plan::{Auxiliary, chord, home, transmission_points};
 
 use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
-use super::construction::{Act, Calculation, Fine, Label, Reading, Vector, VectorKind};
+use super::construction::{Act, Calculation, Claim, Fine, Label, Reading, Reference, Vector, VectorKind};
 use super::draughtsman::Draughtsman;
 use super::forces::ForceRead;
 use super::missing::Missing;
@@ -338,13 +338,15 @@ impl Draughtsman<'_> {
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
-            Quantity::Slip(_, link) | Quantity::CoincidentVelocity(_, link) => {
-                self.read_part(Order::Velocity, quantity, link)
-            }
+            Quantity::Slip(_, link)
+            | Quantity::CoincidentVelocity(_, link)
+            | Quantity::TurningVelocity(.., link) => self.read_part(Order::Velocity, quantity, link),
             Quantity::SlipAcceleration(_, link)
             | Quantity::SlipNormal(_, link)
             | Quantity::SlipTangential(_, link)
             | Quantity::Coriolis(_, link)
+            | Quantity::TurningNormal(.., link)
+            | Quantity::TurningTangential(.., link)
             | Quantity::ContactNormal(_, link, _)
             | Quantity::CoincidentAcceleration(_, link)
             | Quantity::CoincidentNormal(_, link)
@@ -394,6 +396,8 @@ impl Draughtsman<'_> {
                 {
                     Read::Vector([self.rest(), self.rest()])
                 }
+                Quantity::CoincidentNormal(pin, _) => self.read_part_under(pin, link, true),
+                Quantity::CoincidentTangential(pin, _) => self.read_part_under(pin, link, false),
                 Quantity::SlipAcceleration(pin, _) if link == LinkId::FRAME => {
                     let (pole, image) = (self.board.origin(), self.image(order, pin));
                     self.read_vector(order, pole, image)
@@ -405,6 +409,36 @@ impl Draughtsman<'_> {
                 }
                 _ => Read::Undefined("no construction drew this vector"),
             },
+        }
+    }
+
+    /// Normal or tangential part of the acceleration of the point of a pivoted link under a pin, where the link was solved
+    /// by another one: the normal part is laid off from the image of the pivot, and what is left leads to that of the point.
+    fn read_part_under(&mut self, pin: PointId, link: LinkId, normal: bool) -> Read {
+        let order = Order::Acceleration;
+        let points = self.mechanism.link(link).points.clone();
+        let Some(pivot) = points.into_iter().find(|&point| self.mechanism.is_fixed(point)) else {
+            return Read::Undefined("the link has no fixed pivot");
+        };
+        self.board.purpose("components asked for");
+        self.step(order, &[link], Vec::new());
+        let image = self.image_under(order, pin, link);
+        let quantities = (Quantity::CoincidentNormal(pin, link), Quantity::CoincidentTangential(pin, link));
+        if !self.parts.iter().any(|part| part.quantity == quantities.0) {
+            let label = Label::Foot { point: pin, link: Some(link), index: 3 };
+            let foot = self.lay_off_normal(link, pin, pivot, label);
+            let head = (self.label_under(pin, link), image);
+            let claim = Claim::Perpendicular(Reference::Points(pivot, pin));
+            let part = (VectorKind::Tangential, quantities.1, Some(claim));
+            let vector = self.note_vector(order, part, (label, foot), head);
+            self.act_read(order, vector);
+            self.note_part(quantities.1, foot, image);
+        }
+        let wanted = if normal { quantities.0 } else { quantities.1 };
+        match self.parts.iter().rev().find(|part| part.quantity == wanted).map(|part| (part.tail, part.head))
+        {
+            Some((tail, head)) => self.read_vector(order, tail, head),
+            None => Read::Undefined("no construction drew this vector"),
         }
     }
 

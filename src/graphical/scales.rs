@@ -279,7 +279,12 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         };
         diagrams.insert(0, arrows);
     }
-    let places = || record.space.places.iter().flatten().copied();
+    let far = record.far_centres(mechanism);
+    let near = |index: usize| !far.contains(&PointId(index));
+    let places = || {
+        let all = record.space.places.iter().enumerate();
+        all.filter(move |(index, _)| near(*index)).filter_map(|(_, at)| *at)
+    };
     let space = extent(&mut places(), None, scales.length());
     let wheels = mechanism.rolls.iter().flat_map(|roll| pitch_circle_corners(roll, record, scales));
     let rims = extent(&mut places().chain(wheels), None, scales.length());

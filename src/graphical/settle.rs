@@ -9,7 +9,7 @@ use crate::board::Tape;
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
-use super::construction::{Act, Calculation, Construction, Diagram};
+use super::construction::{Act, Calculation, Claim, Construction, Diagram, Reference};
 use super::shown::Shown;
 
 /// Where so much work finds it out, it is found out of everything: results by operations on the tape.
@@ -43,8 +43,9 @@ pub(super) fn zeros(
         .collect()
 }
 
-/// Adds what is told though no vector shows it: where a link does not turn, none of its points moves about another, and
-/// where it does not begin to turn, none has a tangential part. |V| = |ω| r, so that r times the bound of ω bounds it.
+/// Adds what a link's not turning says: where it does not turn, none of its points moves about another, and where it does
+/// not begin to turn, none has a tangential part. |V| = |ω| r, so that r times the bound of ω bounds it. It is told though no
+/// vector shows it, or by a vector that bears the name of the point's whole velocity.
 pub(super) fn with_rigid(
     zeros: &mut HashMap<Quantity, f64>,
     mechanism: &Mechanism,
@@ -52,6 +53,10 @@ pub(super) fn with_rigid(
 ) {
     let space = &construction.space;
     let place = |point: PointId| space.places.get(point.0).copied().flatten();
+    let apart = |a: PointId, b: PointId| {
+        let (a, b) = (place(a)?, place(b)?);
+        Some(libm::hypot(a[0] - b[0], a[1] - b[1]) * space.metres_per_mm)
+    };
     let told = construction.steps.iter().flat_map(|step| &step.acts).filter_map(|act| match act {
         Act::Calculate(Calculation::Normal { velocity: own, .. }) => Some(*own),
         Act::Calculate(
@@ -60,19 +65,44 @@ pub(super) fn with_rigid(
         _ => None,
     });
     for quantity in told {
-        let (point, base, rate): (_, _, fn(LinkId) -> Quantity) = match quantity {
-            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega),
-            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha),
+        let (point, base, rate, of): (_, _, fn(LinkId) -> Quantity, _) = match quantity {
+            Quantity::RelativeVelocity(point, base) => (point, base, Quantity::Omega, None),
+            Quantity::RelativeTangential(point, base) => (point, base, Quantity::Alpha, None),
+            Quantity::TurningVelocity(point, base, link) => (point, base, Quantity::Omega, Some(link)),
+            Quantity::TurningTangential(point, base, link) => (point, base, Quantity::Alpha, Some(link)),
             _ => continue,
         };
-        let both = |link: &LinkId| {
-            let points = &mechanism.link(*link).points;
-            points.contains(&point) && points.contains(&base)
+        let bound = match of {
+            Some(link) => zeros.get(&rate(link)).copied(),
+            None => {
+                let links = mechanism.point(point).links.iter().copied();
+                let both = links
+                    .filter(|&link| link != LinkId::FRAME && mechanism.link(link).points.contains(&base));
+                both.filter_map(|link| zeros.get(&rate(link)).copied()).reduce(f64::min)
+            }
         };
-        let bound = mechanism.moving().filter(both).find_map(|link| zeros.get(&rate(link)).copied());
-        if let (Some(bound), Some(a), Some(b)) = (bound, place(point), place(base)) {
-            let apart = libm::hypot(a[0] - b[0], a[1] - b[1]) * space.metres_per_mm;
+        if let (Some(bound), Some(apart)) = (bound, apart(point, base)) {
             zeros.entry(quantity).or_insert(apart * bound);
+        }
+    }
+    for vector in construction.diagrams.iter().flat_map(|diagram| &diagram.vectors) {
+        // Its line tells about which point the point of the link turns.
+        let Some(
+            Claim::Perpendicular(Reference::Points(base, to)) | Claim::Parallel(Reference::Points(base, to)),
+        ) = vector.claim
+        else {
+            continue;
+        };
+        let omega = |link| zeros.get(&Quantity::Omega(link)).copied();
+        let size = match vector.quantity {
+            Quantity::CoincidentVelocity(_, link) => omega(link),
+            Quantity::CoincidentTangential(_, link) => zeros.get(&Quantity::Alpha(link)).copied(),
+            // Aⁿ = ω² r.
+            Quantity::CoincidentNormal(_, link) => omega(link).map(|bound| bound * bound),
+            _ => None,
+        };
+        if let (Some(size), Some(apart)) = (size, apart(base, to)) {
+            zeros.entry(vector.quantity).or_insert(apart * size);
         }
     }
 }

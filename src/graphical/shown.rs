@@ -97,8 +97,8 @@ pub fn is_trial(vector: &Vector) -> bool {
     [vector.tail, vector.head].iter().any(|label| matches!(label, Label::Trial { .. }))
 }
 
-/// Reads everything that stands on the paper.
-pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
+/// Reads the places of all points.
+pub(super) fn places(d: &mut Draughtsman<'_>) -> Vec<Shown> {
     // The paper is finished: what is read now is not drawn.
     d.silent = true;
     let mut shown: Vec<Shown> = Vec::new();
@@ -108,6 +108,12 @@ pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
             shown.push(of(Quantity::Position(point), None, &numbers));
         }
     }
+    shown
+}
+
+/// Reads everything that stands on the paper.
+pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
+    let mut shown = places(d);
     let forces = d.record().forces.as_ref().map(forces::quantities);
     for quantity in d.standing().into_iter().chain(forces.into_iter().flatten()) {
         if let (Ok(numbers), toward) = d.read_standing(&quantity) {

@@ -19,10 +19,13 @@ pub struct Transcribed {
     pub program: Program,
     /// The same for the first asked quantities only and without divisors: what a sweep runs.
     pub lean: Program,
-    /// Where points stand: the coordinates of those of `placed`, one after the other.
+    /// Where points stand: the coordinates of those of `placed`, one after the other, and by what angle those of
+    /// `turned` have turned.
     pub skeleton: Program,
     /// The points that the drawing places.
     pub placed: Vec<PointId>,
+    /// The wheels that roll on from where they stand in the drawing.
+    pub turned: Vec<LinkId>,
     /// How many numbers each asked quantity has; none for what has none.
     pub numbers: Vec<usize>,
     /// The asked quantities, by index, that are instant centres with a place: each has two numbers, and three
@@ -95,6 +98,7 @@ pub fn transcribe(
     Ok(Transcribed {
         skeleton: written.transcript.program(&places, false),
         placed: written.placed,
+        turned: written.turned,
         program: written.transcript.program(&all, true),
         lean: written.transcript.program(&wanted[..few], false),
         numbers: written.numbers,
@@ -143,7 +147,8 @@ struct Written {
     numbers: Vec<usize>,
     asked: Vec<u32>,
     placed: Vec<PointId>,
-    /// Of each of the placed points.
+    turned: Vec<LinkId>,
+    /// Of each of the placed points, and of each of the wheels.
     places: Vec<u32>,
     centres: Vec<usize>,
     /// Of each of the centres.
@@ -204,6 +209,13 @@ fn write_down(
             places.extend(draughtsman.in_world(at).map(|amount| amount.mark()));
         }
     }
+    let mut turned = Vec::new();
+    for link in (0..mechanism.links.len()).map(LinkId) {
+        if let Some(by) = draughtsman.turned_by[link.0] {
+            turned.push(link);
+            places.push(draughtsman.board.radians(by).mark());
+        }
+    }
     let stalled = draughtsman.record().circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty());
     let (reasons, stuck) = (draughtsman.all_reasons(), draughtsman.all_stuck());
     let transcript = read(draughtsman.board.tape());
@@ -238,6 +250,7 @@ fn write_down(
         numbers,
         asked,
         placed,
+        turned,
         places,
         centres,
         homogeneous,

@@ -650,7 +650,11 @@ fn rows(
 /// The link by whose turning a quantity comes about.
 fn link_of(scene: &Scene, quantity: Quantity) -> Option<LinkId> {
     match quantity {
-        Quantity::Omega(link) | Quantity::Alpha(link) => Some(link),
+        Quantity::Omega(link)
+        | Quantity::Alpha(link)
+        | Quantity::TurningVelocity(.., link)
+        | Quantity::TurningNormal(.., link)
+        | Quantity::TurningTangential(.., link) => Some(link),
         Quantity::RelativeVelocity(p, q)
         | Quantity::RelativeAcceleration(p, q)
         | Quantity::RelativeNormal(p, q)

@@ -56,6 +56,13 @@ pub enum Quantity {
     CoincidentNormal(PointId, LinkId),
     /// `at(A@4)`: its tangential part about the link's fixed pivot. Vector.
     CoincidentTangential(PointId, LinkId),
+    /// What the turning of a link gives the point of it under the first pin against that under the second: of velocities
+    /// ω × r. One of them at least is no point of the link. Vector; drawn, not asked.
+    TurningVelocity(PointId, PointId, LinkId),
+    /// The same of accelerations, the normal part −ω² r. Vector; drawn, not asked.
+    TurningNormal(PointId, PointId, LinkId),
+    /// The same of accelerations, the tangential part α × r. Vector; drawn, not asked.
+    TurningTangential(PointId, PointId, LinkId),
     /// Acceleration of the point of the second link at a rolling contact relative to that of the third:
     /// along the common normal, never zero where the bodies are curved. Vector; drawn, not asked.
     ContactNormal(PointId, LinkId, LinkId),
@@ -248,6 +255,9 @@ impl Quantity {
             | Self::CoincidentNormal(p, l)
             | Self::CoincidentTangential(p, l)
             | Self::Coriolis(p, l) => ([Some(p), None], [Some(l), None]),
+            Self::TurningVelocity(p, o, l)
+            | Self::TurningNormal(p, o, l)
+            | Self::TurningTangential(p, o, l) => ([Some(p), Some(o)], [Some(l), Some(l)]),
             Self::ContactNormal(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
             // The pin is on both links, and only their turning counts.
             Self::Rub(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
@@ -283,6 +293,14 @@ impl Quantity {
             }
             Self::CoincidentNormal(..) => {
                 Row::acceleration("an(A@4)", "normal part of a(A@4), about the fixed pivot of link 4")
+            }
+            Self::TurningVelocity(..) => Row::velocity(
+                "v(B@4/A@4)",
+                "velocity of the point of link 4 under B relative to that under A",
+            ),
+            Self::TurningNormal(..) => Row::acceleration("an(B@4/A@4)", "normal part of its acceleration"),
+            Self::TurningTangential(..) => {
+                Row::acceleration("at(B@4/A@4)", "tangential part of its acceleration")
             }
             Self::ContactNormal(..) => Row::acceleration(
                 "an(A@4/3)",

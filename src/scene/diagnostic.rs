@@ -34,7 +34,7 @@ fn suffix(mend: Option<&str>) -> String {
 }
 
 /// What is wrong at a byte of the text; becomes a [`Diagnostic`] when the reader is left.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Fault {
     /// Byte offset of the value or key.
     pub(crate) at: usize,

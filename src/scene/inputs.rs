@@ -69,9 +69,10 @@ pub(super) fn unreduced(value: &Value<'_>, scales: &Scales) -> Res<f64> {
     };
     let Some(size) = number.map(|n| n.abs() * stated.scale.si()) else { return Ok(stated.given.value) };
     let miss = |angle: &f64| (angle.abs() - size).abs();
+    let turn = std::f64::consts::TAU;
     // Half a turn stays as it is: −180° is as near to 180 as 180° itself.
-    let turned = [0, 1, -1, 2, -2].into_iter();
-    let turned = turned.map(|turns| stated.given.value + f64::from(turns) * std::f64::consts::TAU);
+    let whole = [size, -size].map(|own| libm::round((own - stated.given.value) / turn) * turn);
+    let turned = [0.0].into_iter().chain(whole).map(|turns| stated.given.value + turns);
     let nearest = turned.reduce(|a, b| if miss(&b) < miss(&a) { b } else { a });
     Ok(nearest.unwrap_or(stated.given.value))
 }

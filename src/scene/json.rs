@@ -47,8 +47,18 @@ pub(crate) struct Entry<'a> {
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
     pub(crate) root: Value<'a>,
-    /// What no scene may have although it is JSON: a key given twice, too many levels or entries.
+    /// What no file may have although it is JSON: too many levels or entries.
     pub(crate) fault: Option<Fault>,
+    /// Keys that are given twice, in the order of the text.
+    pub(crate) twice: Vec<Fault>,
+}
+
+impl<'a> Document<'a> {
+    /// The value, and the first thing that no scene may have although it is JSON.
+    pub(crate) fn strictly(self) -> (Value<'a>, Option<Fault>) {
+        let twice = self.twice.into_iter().next();
+        (self.root, self.fault.into_iter().chain(twice).min_by_key(|fault| fault.at))
+    }
 }
 
 /// Reads a text.
@@ -68,9 +78,9 @@ pub(crate) fn parse(text: &str) -> Res<Document<'_>> {
             None => fault,
         }
     })?;
-    let mut source = Source { text, fault: None, values: 0 };
+    let mut source = Source { text, fault: None, twice: Vec::new(), values: 0 };
     let root = source.value(raw.get(), 0)?;
-    Ok(Document { root, fault: source.fault })
+    Ok(Document { root, fault: source.fault, twice: source.twice })
 }
 
 fn syntax(at: usize, error: &serde_json::Error) -> Fault {
@@ -103,6 +113,7 @@ fn slip(text: &str, at: usize, told: &str) -> Option<&'static str> {
 struct Source<'a> {
     text: &'a str,
     fault: Option<Fault>,
+    twice: Vec<Fault>,
     /// How many values were read.
     values: usize,
 }
@@ -162,7 +173,8 @@ impl<'a> Source<'a> {
             let key: String = serde_json::from_str(key.get()).map_err(|e| syntax(at, &e))?;
             let twice = if few { entries.iter().any(|e| e.key == key) } else { !seen.insert(key.clone()) };
             if twice {
-                self.blame(Fault::new(at, format!("`{key}` is given twice")).mend("keep one of the two"));
+                let fault = Fault::new(at, format!("`{key}` is given twice"));
+                self.twice.push(fault.mend("keep one of the two"));
             }
             entries.push(Entry { at, key, value: self.value(value.get(), depth + 1)? });
         }
@@ -328,14 +340,22 @@ pub(crate) struct Fields<'v, 'a> {
 impl<'v, 'a> Fields<'v, 'a> {
     /// The object's fields; an unknown key is an error that offers the nearest known one.
     pub(crate) fn of(value: &'v Value<'a>, known: &'static [&'static str], expected: &str) -> Res<Self> {
-        let entries = value.object(expected)?;
-        for entry in entries {
-            if !known.contains(&entry.key.as_str()) {
-                let fault = Fault::new(entry.at, format!("unknown key `{}`", entry.key));
-                return Err(fault.known(&entry.key, known.iter().copied()));
-            }
-        }
-        Ok(Self { at: value.at, entries, known })
+        let fields = Self::among(value, known, expected)?;
+        fields.unknown().next().map_or(Ok(fields), |(_, fault)| Err(fault))
+    }
+
+    /// The object's fields, whatever other keys it has.
+    pub(crate) fn among(value: &'v Value<'a>, known: &'static [&'static str], expected: &str) -> Res<Self> {
+        Ok(Self { at: value.at, entries: value.object(expected)?, known })
+    }
+
+    /// The keys that it should not have, with what is wrong with them.
+    pub(crate) fn unknown(self) -> impl Iterator<Item = (&'v str, Fault)> {
+        let Self { entries, known, .. } = self;
+        entries.iter().filter(|entry| !known.contains(&entry.key.as_str())).map(|entry| {
+            let fault = Fault::new(entry.at, format!("unknown key `{}`", entry.key));
+            (entry.key.as_str(), fault.known(&entry.key, known.iter().copied()))
+        })
     }
 
     pub(crate) fn entry(&self, key: &str) -> Option<&'v Entry<'a>> {
@@ -366,9 +386,9 @@ mod tests {
     use super::*;
 
     fn fault(text: &str) -> String {
-        match parse(text) {
-            Ok(Document { fault: None, .. }) => "fine".to_owned(),
-            Ok(Document { root, fault: Some(fault) }) => fault.locate("f", text, Some(&root)).to_string(),
+        match parse(text).map(Document::strictly) {
+            Ok((_, None)) => "fine".to_owned(),
+            Ok((root, Some(fault))) => fault.locate("f", text, Some(&root)).to_string(),
             Err(fault) => fault.locate("f", text, None).to_string(),
         }
     }

@@ -105,7 +105,8 @@ use json::{Fields, Value};
 /// The first and most fundamental thing that is wrong with the text, with its place and its mend.
 /// Whether the mechanism moves as it should, and whether it can be assembled, is not known here.
 pub fn read(text: &str, file: &str) -> Result<Scene, Diagnostic> {
-    let json::Document { root, fault } = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    let document = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    let (root, fault) = document.strictly();
     let scene = fault.map_or_else(|| scene(&root, text, file), Err);
     scene.map_err(|fault| fault.locate(file, text, Some(&root)))
 }

@@ -70,16 +70,28 @@ impl Written {
         self.sizes.iter().find(same).map_or_else(|| usual.clone(), |(.., unit)| unit.clone())
     }
 
-    /// An angle with its turns as it is written, and whether in radians; none that is written nowhere.
+    /// An angle as it is written, and whether in radians; none that is written nowhere, or only with more than a turn.
     #[must_use]
     pub fn angle_of(&self, si: f64) -> Option<(f64, bool)> {
+        self.angle_within(si, std::f64::consts::TAU)
+    }
+
+    /// The same with all its turns.
+    #[must_use]
+    pub fn angle_with_turns(&self, si: f64) -> Option<(f64, bool)> {
+        self.angle_within(si, f64::INFINITY)
+    }
+
+    fn angle_within(&self, si: f64, most: f64) -> Option<(f64, bool)> {
         /// As an angle is rounded when its turns are taken off.
         const ROUNDED: f64 = 1e-12;
         let turn = std::f64::consts::TAU;
-        let same =
-            |(own, _): &&(f64, bool)| own.abs() <= turn && libm::remainder(own - si, turn).abs() <= ROUNDED;
+        let rounded = |own: f64| ROUNDED * own.abs().max(1.0);
+        let same = |(own, _): &&(f64, bool)| {
+            own.abs() <= most && libm::remainder(own - si, turn).abs() <= rounded(*own)
+        };
         // Its own writing before one that is a turn away.
-        let exact = |(own, _): &&(f64, bool)| (own - si).abs() <= ROUNDED;
+        let exact = |(own, _): &&(f64, bool)| (own - si).abs() <= rounded(*own);
         self.angles.iter().find(exact).or_else(|| self.angles.iter().find(same)).copied()
     }
 }

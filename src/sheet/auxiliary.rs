@@ -321,7 +321,33 @@ impl Plate<'_> {
                 request.leader = true;
                 request
             })
+            .chain(self.vector_names())
             .collect()
+    }
+
+    /// What is read between two image points has its name beside its line, as in a polygon.
+    fn vector_names(&self) -> Vec<Request> {
+        /// Shorter ones have no room for it; the steps name them.
+        const SHORTEST: f64 = 3.0;
+        let place = |label: Label, order: Order| {
+            let own = self.drawing.points.iter().find(|point| point.name == PointName::Image(label, order));
+            own.map(|point| page(point.at)).filter(|at| self.window.contains(*at))
+        };
+        let read = self.drawing.acts.iter().filter_map(|act| match *act {
+            AuxiliaryAct::ReadImage { quantity, tail, head, .. } => {
+                let order = quantity.order();
+                let (from, to) = (place(tail, order)?, place(head, order)?);
+                (from.distance(to) >= SHORTEST).then_some((quantity, from, to))
+            }
+            _ => None,
+        });
+        let named = |(quantity, from, to): (Quantity, Point, Point)| {
+            let text = self.notation.symbol(quantity, false);
+            let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+            request.leader = true;
+            request
+        };
+        read.map(named).collect()
     }
 }
 

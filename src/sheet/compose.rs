@@ -11,6 +11,7 @@ use super::growth::Births;
 use super::notation::Notation;
 use super::panels::{self, Panel, captioned, framed};
 use super::rich::Rich;
+use super::skeleton::Origin;
 use super::speeds::with_speeds_read;
 use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
@@ -19,7 +20,7 @@ use super::{auxiliary, given, growth, human, inertia, positions, results, skelet
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{Act, Construction};
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Nature, Order, Quantity};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 
@@ -194,7 +195,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 /// finds but the position in which the skeleton is drawn.
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
-    question_on(paper(scene), scene, construction, language, &[])
+    question_on(paper(scene), scene, construction, language, None)
 }
 
 /// What an answer of an examination is worth.
@@ -216,13 +217,14 @@ pub fn question_of_exam(
     language: Language,
     marked: &[Marked],
 ) -> Figure {
-    question_on(paper(scene), scene, construction, language, marked)
+    question_on(paper(scene), scene, construction, language, Some(marked))
 }
 
 /// What a question of an examination says of its answers.
 fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     let words = notation.words;
-    if marked.is_empty() {
+    let origin = counted_from(notation);
+    if marked.is_empty() && origin.is_none() {
         return Vec::new();
     }
     let mut items = vec![Item::Head(Rich::bold(words.answers_head))];
@@ -230,9 +232,23 @@ fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     if marked.iter().any(|marked| marked.direction.is_some()) {
         say(Rich::upright(words.count_directions));
     }
+    if let Some(Origin { point, at }) = origin {
+        let point = ("point", notation.point(point));
+        say(match at {
+            [0.0, 0.0] => Rich::fill(words.count_places, &[point]),
+            [x, y] => {
+                let unit = &notation.scene.units.length;
+                let [x, y] = [x, y].map(|metres| human::stated_quantity(metres, unit));
+                Rich::fill(words.count_places_at, &[point, ("x", x), ("y", y)])
+            }
+        });
+    }
     let turns = |marked: &Marked| super::answers::turns(marked.quantity);
     if marked.iter().any(turns) {
         say(Rich::upright(words.count_rotations));
+    }
+    if marked.is_empty() {
+        return items;
     }
     let number = |marks: f64| Rich::upright(short_number(marks));
     let one = |marked: &Marked| {
@@ -256,19 +272,25 @@ fn of_answers(notation: &Notation<'_>, marked: &[Marked]) -> Vec<Item> {
     items
 }
 
+/// The axes by which the places are handed in that an examination asks.
+fn counted_from(notation: &Notation<'_>) -> Option<Origin> {
+    let places = notation.mechanism().asked.iter().any(|asked| asked.quantity.nature() == Nature::Place);
+    Origin::of(notation.mechanism()).filter(|_| places)
+}
+
 /// Marks as people write them.
 fn short_number(value: f64) -> String {
     let text = format!("{value:.3}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The same as a card, for a screen: one page as high as it needs, without a page number.
+/// The same as a card of a question bank, for a screen: one page as high as it needs, without a page number.
 #[must_use]
 pub fn question_card(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     /// Higher than any question: then it has one page.
     const HIGH: f64 = 20.0;
     let (width, height) = paper(scene);
-    let mut figure = question_on((width, HIGH * height), scene, construction, language, &[]);
+    let mut figure = question_on((width, HIGH * height), scene, construction, language, Some(&[]));
     for page in &mut figure.root.children {
         if let Node::Group(page) = page {
             page.children.retain(|node| !matches!(node, Node::Text(text) if text.class == "page-number"));
@@ -285,11 +307,12 @@ fn question_on(
     scene: &Scene,
     construction: &Construction,
     language: Language,
-    marked: &[Marked],
+    of_exam: Option<&[Marked]>,
 ) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let (skeleton, dimensioned) = asked_skeleton(construction, &notation);
+    let origin = of_exam.and_then(|_| counted_from(&notation));
+    let (skeleton, dimensioned) = asked_skeleton(construction, &notation, origin.as_ref());
     // A turning-moment diagram may have no mechanism.
     let bare = construction.space.places.is_empty();
     let mut drawn = if bare { Vec::new() } else { vec![skeleton] };
@@ -302,7 +325,7 @@ fn question_on(
     pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
     pager.rows(&drawn);
     let mut items = required(&notation);
-    items.extend(of_answers(&notation, marked));
+    items.extend(of_exam.into_iter().flat_map(|marked| of_answers(&notation, marked)));
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();
@@ -342,7 +365,7 @@ pub(super) fn room_of_question(scene: &Scene) -> f64 {
 pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let (block, _) = asked_skeleton(construction, &notation);
+    let (block, _) = asked_skeleton(construction, &notation, None);
     let title = format!("{}: {}", title(scene, words), words.skeleton);
     localised(cut(block.group, title, words.question.to_owned(), words), scene)
 }
@@ -358,7 +381,11 @@ fn asked_curves(construction: &Construction, notation: &Notation<'_>) -> Option<
 }
 
 /// The dimensioned skeleton with its caption, and the points whose places it gives.
-fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Block, Vec<PointId>) {
+fn asked_skeleton(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    from: Option<&skeleton::Origin>,
+) -> (Block, Vec<PointId>) {
     let words = notation.words;
     let unit = match notation.scene.units.length.symbol.as_str() {
         "in" => Rich::upright(words.inches),
@@ -371,7 +398,7 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Bloc
         .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
         .up(&comma)
         .then(&Rich::fill(words.scale, &[("scale", scale)]));
-    let (drawing, dimensioned) = skeleton::question(construction, notation);
+    let (drawing, dimensioned) = skeleton::question(construction, notation, from);
     (captioned(drawing, &[caption]), dimensioned)
 }
 
@@ -418,7 +445,7 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
             if break_before == Some(i) {
                 pager.page();
             }
-            pager.step(column(&piece.items, pager.column(), words), pictures);
+            pager.step(&piece.items, pictures);
             if last_of_centres == Some(i) {
                 let circle = Panel::Circle.block(construction, &notation);
                 pager.rows(&circle.into_iter().collect::<Vec<_>>());
@@ -485,12 +512,12 @@ struct Piece {
 fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Vec<Piece> {
     let mut all: Vec<Piece> = Vec::new();
     for told in told {
-        // A reading leaves nothing on the paper, and a pole alone is no picture.
+        // What is measured leaves nothing on the paper, and a pole alone is no picture.
         let steps = &construction.steps;
         let draws = |act: &usize| {
             let own = steps.get(told.step).and_then(|step| step.acts.get(*act));
             let bare =
-                matches!(own, Some(Act::ReadVector { .. } | Act::MeasureLength { .. } | Act::MarkPole));
+                matches!(own, Some(Act::MeasureLength { .. } | Act::MarkPole | Act::LeaveOutNormals { .. }));
             !bare || !matches!(told.drawn, Some(Panel::Diagram(_)))
         };
         let acts = told.acts.iter().flatten().filter(|act| draws(act)).count();
@@ -612,8 +639,8 @@ impl<'a> Blackboard<'a> {
     }
 }
 
-/// The figures of a film, all of one size: the diagrams as they stand after each step, each in its
-/// place, and the head of the step below them.
+/// The figures of a film, all of one size: the diagrams as they stand after each step, or after so many acts of a longer one
+/// as one picture shows, each in its place, and the head of the step below them.
 #[must_use]
 pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
     let words = language.words();
@@ -650,10 +677,12 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
         below += row.iter().map(|(_, ink)| ink.height()).fold(0.0, f64::max);
     }
     let head = below + 2.0 * TEXT;
-    let last = told.len().saturating_sub(1);
+    let parts = |told| pieces(std::slice::from_ref(told), construction, &births);
+    let shown: Vec<(&Told, Moment)> =
+        told.iter().flat_map(|told| parts(told).into_iter().map(move |piece| (told, piece.upto))).collect();
+    let last = shown.len().saturating_sub(1);
     let mut since: Option<Moment> = None;
-    let frames = told.iter().enumerate().map(|(i, told)| {
-        let upto = Moment { step: told.step, act: usize::MAX };
+    let frames = shown.into_iter().enumerate().map(|(i, (told, upto))| {
         let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
         for ((finished, ink), corner) in finished.iter().zip(&corners) {
             // At the end all is of one colour.
@@ -1327,18 +1356,17 @@ impl Pager {
     }
 
     /// What is said of a step, and its drawings beside it, or above it where they are too wide.
-    fn step(&mut self, text: Block, drawings: &[Block]) {
-        if drawings.is_empty() {
-            return self.block(text);
+    fn step(&mut self, items: &[Item], drawings: &[Block]) {
+        let Some(widest) = drawings.iter().map(|drawing| drawing.width).reduce(f64::max) else {
+            return self.block(column(items, self.column(), self.words));
+        };
+        // Narrow words give way to a wide drawing.
+        let words = (self.width() - GUTTER - widest).min(self.column());
+        if words < NARROWEST_OF_PAIR.min(self.column()) {
+            return self.step_below(items, drawings);
         }
-        // Pictures of one diagram stand below each other, however wide the words beside them are.
-        let words = text.width.max(self.column());
+        let text = column(items, words, self.words);
         let beside = self.width() - GUTTER - words;
-        if drawings.iter().any(|drawing| drawing.width > beside) {
-            // A long text goes on over the page.
-            self.rows(drawings);
-            return self.block(text);
-        }
         let first = drawings.first().map_or(0.0, |drawing| drawing.height);
         if self.y + text.height.max(first) > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
@@ -1357,6 +1385,33 @@ impl Pager {
             self.y += drawing.height + BELOW_ROW;
         }
         self.y = deepest.max(self.y - BELOW_ROW) + self.gap;
+    }
+
+    /// Drawings over the whole width, and below them what is said of them, in the columns of the sheet.
+    fn step_below(&mut self, items: &[Item], drawings: &[Block]) {
+        self.tell(items);
+        let waiting = std::mem::take(&mut self.waiting);
+        let chunks: Vec<Chunk> = waiting.iter().map(|strips| Chunk::of(strips)).collect();
+        let free = self.bottom() - MARGIN;
+        let columns = even_split(&chunks, free, true, self.column_count());
+        let mut left = chunks.iter();
+        let heights =
+            columns.iter().map(|own| left.by_ref().take(*own).map(|chunk| chunk.height).sum::<f64>());
+        let text = heights.fold(0.0, f64::max);
+        // The last drawing and its words stand on one page where they can.
+        let last = drawings.last().map_or(0.0, |drawing| drawing.height);
+        let together = last + BELOW_ROW + text;
+        if drawings.len() == 1 && self.y + together > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        self.rows(drawings);
+        self.waiting = waiting;
+        while !self.waiting.is_empty() {
+            if !self.columns() {
+                self.page();
+            }
+        }
+        self.y += self.gap;
     }
 
     /// Moves the rows of a page apart where the next one does not fit on it: what is left blank is not all below.

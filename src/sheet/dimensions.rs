@@ -124,7 +124,7 @@ impl Artist<'_> {
         let level = Vec2::new(1.0, 0.0);
         let upright = Vec2::new(0.0, 1.0);
         // Those of the frame come first: they find room before the others.
-        for point in given.by_ref().filter(|p| *p != first) {
+        for point in given.by_ref().filter(|p| *p != first && !self.far.contains(p)) {
             let (Some(place), Some(at)) = (exact(point), self.pose.place(point)) else { continue };
             for (axis, along) in [(0, level), (1, upright)] {
                 let length = place[axis] - origin[axis];

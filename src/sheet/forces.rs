@@ -636,6 +636,17 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
             governor::radius(&mut overlay.ink, &mut overlay.labels, governor, construction, notation);
         }
         let mut taken = Vec::new();
+        let all_bars: Vec<(Point, Point)> = notation
+            .mechanism()
+            .moving()
+            .flat_map(|link| {
+                let points = notation.mechanism().link(link).points.iter();
+                let stands = |point: &crate::mechanism::PointId| {
+                    construction.space.places.get(point.0).copied().flatten().map(page)
+                };
+                bars(&points.filter_map(stands).collect::<Vec<_>>())
+            })
+            .collect();
         for (link, torque, value) in given_torques(sheet) {
             let first = notation.mechanism().link(link).points.first();
             let at = first.and_then(|point| *construction.space.places.get(point.0)?);
@@ -661,7 +672,7 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                     overlay.labels.push(request);
                 }
             }
-            let at_arrow = beyond(&mut taken, acting, through, most);
+            let at_arrow = off_the_link((&all_bars, &mut taken), acting, through, most);
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at_arrow, most, notation);
             if let (Action::Inertia(link), true) = (acting.action, acting.with_couple) {
                 let torque = Force::InertiaTorque(link);
@@ -715,6 +726,59 @@ fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64
         }
     }
     taken.push((from, from + along * length));
+    from
+}
+
+/// The strokes of a link: from each of these points to each other one.
+fn bars(points: &[Point]) -> Vec<(Point, Point)> {
+    let pairs = points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| (*b, *a)));
+    pairs.filter(|(a, b)| a.distance(*b) > 1.0).collect()
+}
+
+/// Whether an arrow cannot be told from a stroke on which it lies.
+fn lies_on((from, to): (Point, Point), (a, b): (Point, Point)) -> bool {
+    /// Nearer to each other than this two strokes look like one, and so little of an arrow may lie on one, mm.
+    const NEAR: f64 = 1.2;
+    const SHORT: f64 = 2.0;
+    let along = (b - a).normalize();
+    let beside = [from, to].map(|p| (p - a).cross(along).abs());
+    let [start, end] = [from, to].map(|p| (p - a).dot(along));
+    let shared = start.max(end).min(a.distance(b)) - start.min(end).max(0.0);
+    beside.iter().all(|off| *off < NEAR) && shared > SHORT
+}
+
+/// Where an arrow begins that would else lie on the link on which it acts, or on another arrow: with its head at its place and
+/// its shaft outside of the link, or further along its line.
+fn off_the_link(
+    (bars, taken): (&[(Point, Point)], &mut Vec<(Point, Point)>),
+    acting: &Acting,
+    at: Point,
+    most: f64,
+) -> Point {
+    /// Blank between a joint and the head of an arrow, and how far and by how much arrows are moved along their line, mm.
+    const JOINT: f64 = 1.4;
+    const STEP: f64 = 2.5;
+    const STEPS: u32 = 60;
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    if size <= 0.0 {
+        return at;
+    }
+    let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+    let length = ARROWS.0 + (ARROWS.1 - ARROWS.0) * size / most;
+    let stroke = |from: Point| (from, from + along * length);
+    let before = taken.len();
+    let first = beyond(taken, acting, at, most);
+    if !bars.iter().any(|bar| lies_on(stroke(first), *bar)) {
+        return first;
+    }
+    taken.truncate(before);
+    let free = |from: &Point| !bars.iter().chain(taken.iter()).any(|other| lies_on(stroke(*from), *other));
+    let ways = (0..STEPS).flat_map(|step| {
+        let off = JOINT + STEP * f64::from(step);
+        [at - along * (length + off), at + along * off]
+    });
+    let from = ways.into_iter().find(free).unwrap_or(first);
+    taken.push(stroke(from));
     from
 }
 
@@ -1124,6 +1188,7 @@ impl Free<'_> {
         let mut group = Group::new("free-body");
         let mut requests: Vec<Request> = Vec::new();
         let mut places: Vec<(Point, Rich, bool)> = Vec::new();
+        let mut all_bars: Vec<(Point, Point)> = Vec::new();
         for party in self.of {
             let points = match *party {
                 Party::Link(link) => mechanism.link(link).points.clone(),
@@ -1155,6 +1220,8 @@ impl Free<'_> {
                         })
                         .collect();
                     riders.extend(contact_of_rack(link, construction, notation));
+                    let stand = own.iter().map(|(at, ..)| *at).chain(riders.iter().copied());
+                    all_bars.extend(bars(&stand.collect::<Vec<_>>()));
                     wheels(&mut group, link, construction, notation);
                     draw_link(&mut group, link, &own, &riders, notation);
                     friction::circles_on(&mut group, link, sheet, construction, notation);
@@ -1212,14 +1279,17 @@ impl Free<'_> {
             };
             match acting.known {
                 Knowledge::Full => {
-                    let at = beyond(&mut taken, acting, at, most);
+                    let at = off_the_link((&all_bars, &mut taken), acting, at, most);
                     short_arrow(&mut group, &mut requests, acting, at, most, notation);
                 }
                 known => match acting.parts {
                     Some(parts) => {
                         lines_of_parts((&mut group, &mut requests), (acting, parts), (at, &places), notation)
                     }
-                    None => unknown(&mut group, &mut requests, acting, (known, at), &places, notation),
+                    None => {
+                        let around = (&places[..], &all_bars[..]);
+                        unknown(&mut group, &mut requests, acting, (known, at), around, notation);
+                    }
                 },
             }
         }
@@ -1275,14 +1345,18 @@ fn unknown(
     requests: &mut Vec<Request>,
     acting: &Acting,
     (known, at): (Knowledge, Point),
-    places: &[(Point, Rich, bool)],
+    (places, bars): (&[(Point, Rich, bool)], &[(Point, Point)]),
     notation: &Notation<'_>,
 ) {
     let mechanism = notation.mechanism();
     let size = libm::hypot(acting.force[0], acting.force[1]);
     if known == Knowledge::Line && size > 0.0 {
         let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
-        let (from, to) = (at - along * LINE * 0.5, at + along * LINE);
+        // Along the link itself it stands outside of it.
+        let covered = |way: Vec2| bars.iter().any(|bar| lies_on((at, at + way * LINE), *bar));
+        let along = if covered(along) && !covered(-along) { -along } else { along };
+        let back = if covered(-along) { 0.0 } else { 0.5 * LINE };
+        let (from, to) = (at - along * back, at + along * LINE);
         let mut own = Group::new("force line").data("quantity", acting.action.name(mechanism));
         own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THIN)).precise());
         group.group(own);
@@ -1589,6 +1663,12 @@ pub fn stated(
         let Some((at, along)) = load.at().and_then(&place).zip(stated_direction(load, &place)) else {
             continue;
         };
+        let on_link: Vec<Point> = mechanism.link(load.link).points.iter().filter_map(|p| place(*p)).collect();
+        let covered =
+            |from: Point| bars(&on_link).iter().any(|bar| lies_on((from, from + along * ARROWS.1), *bar));
+        // What pushes along the link stands outside of it with its head at its place.
+        let outside = at - along * (ARROWS.1 + 1.4);
+        let at = if covered(at) && !covered(outside) { outside } else { at };
         let to = at + along * ARROWS.1;
         let mut own = Group::new("force applied").data("quantity", Action::Load(index).name(mechanism));
         arrow(&mut own, at, to, THICK);

@@ -104,12 +104,12 @@ pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<StatedLength> {
 /// The dimensions and the motion that the scene states, item by item.
 #[must_use]
 pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
-    items_without(notation, &[])
+    items_by(&Teller::of(notation), &[])
 }
 
 /// The same without the places of these points, which a drawing dimensions.
-fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> {
-    let teller = Teller { n: notation };
+fn items_by(teller: &Teller<'_>, dimensioned: &[PointId]) -> Vec<Rich> {
+    let notation = teller.n;
     let mechanism = notation.mechanism();
     let mut parts: Vec<Rich> = Vec::new();
     for link in mechanism.moving().map(|l| mechanism.link(l)) {
@@ -156,7 +156,8 @@ pub fn paragraph(notation: &Notation<'_>) -> Rich {
 /// states.
 #[must_use]
 pub fn paragraph_of_question(notation: &Notation<'_>, dimensioned: &[PointId]) -> Rich {
-    let mut parts = items_without(notation, dimensioned);
+    let teller = Teller { arrows: true, ..Teller::of(notation) };
+    let mut parts = items_by(&teller, dimensioned);
     parts.extend(super::results::stated_scales(notation));
     told(notation, parts)
 }
@@ -174,7 +175,7 @@ fn told(notation: &Notation<'_>, parts: Vec<Rich>) -> Rich {
 pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
     match point {
         GuidePoint::Point(p) => notation.point(p),
-        GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
+        GuidePoint::Own(at) => Teller::of(notation).own_place(at),
     }
 }
 
@@ -224,20 +225,36 @@ pub(super) fn degrees(si: f64, notation: &Notation<'_>) -> Rich {
     }
 }
 
-/// The same as it is written: radians, with degrees beside them.
+/// The same as it is written: radians, with degrees beside them; more than a turn with what a protractor takes of it.
 pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
-    let told = degrees(si, notation);
-    match notation.scene.written.angle_of(si) {
-        Some((own, true)) => human::stated(own).up("\u{a0}rad\u{a0}(").then(&told).up(")"),
-        _ => told,
+    match notation.scene.written.angle_with_turns(si) {
+        Some((own, true)) => {
+            human::stated(own).up("\u{a0}rad\u{a0}(").then(&human::hundredths_of_a_degree(own)).up(")")
+        }
+        Some((own, false)) => with_turns(own),
+        None => with_turns(si),
     }
+}
+
+/// An angle in degrees; of more than a turn the whole turns and the rest: 430° = 360° + 70°.
+fn with_turns(angle: f64) -> Rich {
+    let told = human::degrees(angle);
+    let whole = libm::trunc(angle.abs() / std::f64::consts::TAU * (1.0 + ROUNDED));
+    let rest = angle.abs() - whole * std::f64::consts::TAU;
+    if whole == 0.0 || rest.abs() < ROUNDED {
+        return told;
+    }
+    let sign = if angle < 0.0 { ("−", "\u{a0}−\u{a0}") } else { ("", "\u{a0}+\u{a0}") };
+    let turns = if whole == 1.0 { Rich::default() } else { human::number(whole).up("\u{a0}×\u{a0}") };
+    let turns = Rich::upright(sign.0).then(&turns).up("360°");
+    told.up("\u{a0}=\u{a0}").then(&turns).up(sign.1).then(&human::degrees(rest))
 }
 
 /// The line or the arc on which a figure states a point.
 pub(super) fn path_of(point: PointId, notation: &Notation<'_>) -> Option<Rich> {
     let own = notation.mechanism().statements.iter().filter(|statement| statement.point == point);
     own.flat_map(|statement| &statement.loci).find_map(|locus| match locus {
-        Locus::On(path) => Some(Teller { n: notation }.line_of(path)),
+        Locus::On(path) => Some(Teller::of(notation).line_of(path)),
         _ => None,
     })
 }
@@ -284,6 +301,14 @@ fn turned_from(direction: Direction, turned: f64) -> f64 {
 
 struct Teller<'a> {
     n: &'a Notation<'a>,
+    /// Arrows on the skeleton show which way the riders of straight guides are driven: what is told is how fast.
+    arrows: bool,
+}
+
+impl<'a> Teller<'a> {
+    fn of(n: &'a Notation<'a>) -> Self {
+        Self { n, arrows: false }
+    }
 }
 
 /// Whether an input moves, or speeds up.
@@ -333,8 +358,15 @@ impl Teller<'_> {
         symbol.up("\u{a0}=\u{a0}").then(value)
     }
 
+    /// A length in the unit in which it is written, and in the scene's where that is another: the steps compute in this.
     fn length(&self, si: f64) -> Rich {
-        human::with_unit(&stated_length(si, self.n), &self.n.scene.units.length.symbol)
+        let usual = &self.n.scene.units.length;
+        let told = human::with_unit(&stated_length(si, self.n), &usual.symbol);
+        let own = self.n.scene.written.unit_of(si, usual);
+        if own == *usual {
+            return told;
+        }
+        human::stated_quantity(si, &own).up("\u{a0}=\u{a0}").then(&told)
     }
 
     fn pair(&self, x: f64, y: f64) -> Rich {
@@ -375,13 +407,15 @@ impl Teller<'_> {
         match (&link.form, &link.points[..]) {
             (Form::Sides { turn, .. }, [a, b, c]) => {
                 let points = self.n.point(*a).then(&self.n.point(*b)).then(&self.n.point(*c));
-                let sense = if *turn == Sense::Ccw { self.n.words.ccw } else { self.n.words.cw };
-                let sense = ("sense", Rich::upright(sense));
-                parts.push(Rich::fill(self.n.words.given_sense, &[("points", points), sense]));
+                let [ccw, cw] = self.n.words.given_sense;
+                let template = if *turn == Sense::Ccw { ccw } else { cw };
+                parts.push(Rich::fill(template, &[("points", points)]));
             }
             (Form::Arms { angle, .. }, [a, b, c]) => {
                 let points = self.n.point(*b).then(&self.n.point(*a)).then(&self.n.point(*c));
-                let value = human::degrees(angle.value.abs()).word(self.n.sense(angle.value));
+                let written = self.n.scene.written.angle_with_turns(angle.value);
+                let own = written.map_or(angle.value, |(own, _)| own);
+                let value = human::degrees(own.abs()).word(self.n.sense(own));
                 parts.push(self.equals(Rich::upright("∠\u{a0}").then(&points), &value));
             }
             (Form::Shape(places), points) => {
@@ -456,7 +490,7 @@ impl Teller<'_> {
                 return Rich::fill(words.stated_arc, &[("centre", named(centre)), radius]);
             }
             Path::Straight { through, direction: Direction::Angle(angle), turned, offset } => {
-                let angle = ("angle", human::degrees(angle.value + turned.value));
+                let angle = ("angle", as_written(angle.value + turned.value, self.n));
                 (Rich::fill(words.stated_line, &[("place", named(through)), angle]), None, offset)
             }
             Path::Straight { through, direction: Direction::Toward(target), turned, offset } => {
@@ -471,7 +505,7 @@ impl Teller<'_> {
         };
         let told = match turned {
             Some(turned) => {
-                let angle = ("angle", human::degrees(turned.value));
+                let angle = ("angle", as_written(turned.value, self.n));
                 told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
             }
             None => told,
@@ -521,7 +555,7 @@ impl Teller<'_> {
                     let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
                     let own = turned_from(direction, turned.value);
                     let along = libm::sin(own).abs() < ROUNDED;
-                    let aside = || Rich::fill(words.given_turned, &[("angle", human::degrees(own))]);
+                    let aside = || Rich::fill(words.given_turned, &[("angle", as_written(own, self.n))]);
                     let told = if along { told } else { told.up(" ").then(&aside()) };
                     return Some(self.offset(told, offset.value));
                 }
@@ -563,7 +597,7 @@ impl Teller<'_> {
                 if turned.value == 0.0 {
                     told
                 } else {
-                    let angle = ("angle", human::degrees(turned.value));
+                    let angle = ("angle", as_written(turned.value, self.n));
                     told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
                 }
             }
@@ -614,7 +648,7 @@ impl Teller<'_> {
             return None;
         };
         let told = offset.value == 0.0 && self.n.mechanism().inputs.iter().any(placed);
-        let angle = human::degrees(angle.value + turned.value);
+        let angle = as_written(angle.value + turned.value, self.n);
         told.then(|| [("place", place_of(through, self.n)), ("angle", angle)])
     }
 
@@ -689,7 +723,7 @@ impl Teller<'_> {
             && let Direction::Angle(angle) = direction
         {
             let own = angle.value + turned.value;
-            let angle = ("angle", human::degrees(own));
+            let angle = ("angle", as_written(own, self.n));
             let place = ("place", place_of(through, self.n));
             let level = libm::sin(own).abs() < ROUNDED;
             let template = if level { words.given_rail_level } else { words.given_rail };
@@ -855,6 +889,13 @@ impl Teller<'_> {
         };
         for rubbing in &friction.pins {
             let place = self.n.index(rubbing.pin);
+            // Between two links it is the same which of them holds the pin.
+            let carrier = mechanism.rubbing_carrier(rubbing.pin);
+            if let (Some(link), true) = (carrier, mechanism.parties_at(rubbing.pin).len() > 2) {
+                let told =
+                    [("point", self.n.point(rubbing.pin)), ("link", Rich::upright(&self.n.number(link)))];
+                parts.push(Rich::fill(self.n.words.given_pin_held, &told));
+            }
             match rubbing.circle {
                 FrictionCircle::Radius(radius) => {
                     let symbol = Rich::italic("r").sub(&format!("f,{place}"));
@@ -1120,16 +1161,28 @@ impl Teller<'_> {
                     return;
                 }
                 // What drives a slide on a moving guide drives it along that guide.
-                let guide = self.n.mechanism().slides.get(*slide).map(|slide| slide.guide.link);
-                let [first, second] = match guide.filter(|guide| *guide != LinkId::FRAME) {
-                    Some(guide) => [Quantity::Slip(point, guide), Quantity::SlipAcceleration(point, guide)],
-                    None => [Quantity::Velocity(point), Quantity::Acceleration(point)],
+                let guide = self.n.mechanism().slides.get(*slide).map(|slide| slide.guide);
+                let [first, second] = match guide.map(|guide| guide.link) {
+                    Some(link) if link != LinkId::FRAME => {
+                        [Quantity::Slip(point, link), Quantity::SlipAcceleration(point, link)]
+                    }
+                    _ => [Quantity::Velocity(point), Quantity::Acceleration(point)],
                 };
+                let is_straight = guide.is_some_and(|guide| matches!(guide.path, Path::Straight { .. }));
+                let arrow = self.arrows && is_straight && velocity.value != 0.0;
+                let size = |rate: f64| if arrow { rate.abs() } else { rate };
                 let unit = rate_unit(self.n.unit(Dimension::Velocity));
-                let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);
+                let value = self.constant(self.rate(size(velocity.value), &unit, false), acceleration.value);
                 parts.push(self.equals(self.n.symbol(first, false), &value));
                 let unit = second_unit(self.n.unit(Dimension::Acceleration));
-                self.second(second, acceleration.value, &unit, false, parts);
+                self.second(second, size(acceleration.value), &unit, false, parts);
+                if let (true, Some(told)) = (arrow && acceleration.value != 0.0, parts.last_mut()) {
+                    let words = self.n.words;
+                    let with = velocity.value.signum() == acceleration.value.signum();
+                    let words = if with { words.in_sense_of } else { words.against_sense_of };
+                    let sense = Rich::fill(words, &[("rotation", self.n.symbol(first, false))]);
+                    *told = told.clone().up("\u{a0}").then(&sense);
+                }
             }
         }
     }

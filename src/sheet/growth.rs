@@ -275,11 +275,14 @@ fn images(diagram: &Diagram, steps: &[Step]) -> Images {
         }
     }
     let vectors = diagram.vectors.iter().enumerate().map(|(index, vector)| {
-        let own = laid.iter().find(|(laid, _)| *laid == index);
-        let born = own.map_or_else(|| all.label(vector.tail).max(all.label(vector.head)), |(_, at)| *at);
+        let own = laid.iter().find(|(laid, _)| *laid == index).map(|(_, at)| *at);
         let reads = |act: &Act| matches!(act, Act::ReadVector { vector, .. } if *vector == index);
         let read = acts(steps).find(|(at, act)| steps[at.step].diagram == diagram.kind && reads(act));
-        Life { born, read: read.map(|(moment, _)| moment) }
+        let read = read.map(|(moment, _)| moment);
+        let found = all.label(vector.tail).max(all.label(vector.head));
+        // Whoever reads a vector in the step that finds its ends draws its arrow then.
+        let born = own.or(read.filter(|read| read.step == found.step)).unwrap_or(found);
+        Life { born, read }
     });
     all.vectors = vectors.collect();
     all.lines = in_turn(&diagram.lines, steps, |act| match act {

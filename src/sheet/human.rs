@@ -186,8 +186,9 @@ fn reading_as(mm: f64, factor: f64, written: f64, more: usize) -> Option<Rich> {
         let other = (decimals > 1).then(|| beside(decimals));
         [to(decimals)].into_iter().chain(other).map(move |read| (read, decimals))
     });
-    // A guard figure, where nothing else gives the result.
-    let near = near.chain((finest < 3).then(|| (to(finest + 1), finest + 1)));
+    // A guard figure, where nothing else gives the result; half way it is read a unit further off, as the others are.
+    let guards = (finest < 3).then(|| [to(finest + 1), beside(finest + 1)].map(|read| (read, finest + 1)));
+    let near = near.chain(guards.into_iter().flatten());
     let mut closing = near.filter(|(read, _)| agrees(read * factor, written, written, more));
     let (read, decimals) = closing.next()?;
     Some(with_unit(&Rich::upright(fixed(read, decimals)), "mm"))
@@ -523,6 +524,8 @@ mod tests {
         // 57.4 × 50 is not 2871, 57.43 × 50 half way to it.
         assert_eq!(line(57.426, 50.0), ["57.42\u{a0}mm", "2871"]);
         assert_eq!(line(106.46, 50.0), ["106.46\u{a0}mm", "5323"]);
+        // So is the guard: 120.4 × 50 is not 6022, 120.45 × 50 half way to the next.
+        assert_eq!(line(120.448, 50.0), ["120.44\u{a0}mm", "6022"]);
         // Four figures are read, the fourth of less than a centimetre too.
         assert_eq!(line(6.826, 5000.0), ["6.826\u{a0}mm", "34\u{2009}130"]);
         // Noughts that are more than usual say nothing.

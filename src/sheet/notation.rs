@@ -220,6 +220,9 @@ impl<'a> Notation<'a> {
             Quantity::CoincidentAcceleration(p, l) => letter(book.acceleration).sub(&self.under(p, l)),
             Quantity::CoincidentNormal(p, l) => n(book.normal, self.under(p, l)),
             Quantity::CoincidentTangential(p, l) => n(book.tangential, self.under(p, l)),
+            Quantity::TurningVelocity(p, q, l) => letter(book.velocity).sub(&self.both_under(p, q, l)),
+            Quantity::TurningNormal(p, q, l) => n(book.normal, self.both_under(p, q, l)),
+            Quantity::TurningTangential(p, q, l) => n(book.tangential, self.both_under(p, q, l)),
             Quantity::ContactNormal(p, a, b) => {
                 n(book.normal, format!("{}{}", self.under(p, a), self.under(p, b)))
             }
@@ -239,6 +242,16 @@ impl<'a> Notation<'a> {
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
             Quantity::Force(force, share) => super::force_names::symbol(self, force, share),
             Quantity::Cycle(of) => super::cycle::symbol(self, of),
+        }
+    }
+
+    /// Two points of a link; a pin that is none of its own stands for the point under it.
+    fn both_under(&self, p: PointId, q: PointId, link: LinkId) -> String {
+        let own = |point: PointId| self.mechanism().link(link).points.contains(&point);
+        let [p, q] = [p, q].map(|x| if own(x) { self.index(x) } else { self.under(x, link) });
+        match self.profile.relative {
+            Relative::Joined => format!("{p}{q}"),
+            Relative::Slash => format!("{p}/{q}"),
         }
     }
 

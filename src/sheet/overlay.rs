@@ -11,9 +11,9 @@ use super::notation::Notation;
 use super::polygon;
 use super::rich::Rich;
 use super::skeleton;
-use super::words::Language;
+use super::words::{Language, Words};
 use crate::graphical::construction::{Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind};
-use crate::mechanism::force::Action;
+use crate::mechanism::force::{Action, Party};
 use crate::mechanism::quantity::{DiagramKind, Quantity};
 use crate::mechanism::{Mechanism, PointId};
 use crate::scene::Scene;
@@ -110,9 +110,9 @@ pub fn overlay(
     right: &Construction,
     (student, own): (&Construction, &Own),
     balance: Option<&ForceSheet>,
-    faults: &[Fault<'_>],
+    (faults, language): (&[Fault<'_>], Language),
 ) -> Option<Figure> {
-    let words = Language::English.words();
+    let words = language.words();
     let notation = Notation::new(scene, words);
     let right = told_apart(right, &notation);
     let several = faults.len() > 1;
@@ -170,16 +170,17 @@ pub fn overlay(
             let numbered = |(number, fault): &(usize, &Fault<'_>)| (fault.at, several.then_some(*number));
             let numbered: Vec<(Spot, Option<usize>)> = here.iter().map(numbered).collect();
             let panel = force_polygon(body, (index, &own.forces), &numbered, &notation);
-            blocks.push(captioned(panel, &here, several));
+            blocks.push(captioned(entitled(panel, of_body(body, &notation)), &here, several));
         }
     }
     let (mut root, y) = arranged(blocks);
     if y > 0.0 {
-        legend(&mut root, y, !faults.is_empty());
+        legend(&mut root, y, !faults.is_empty(), words);
     }
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
     let texts: Vec<&str> = faults.iter().map(|fault| fault.text).collect();
-    (y > 0.0).then(|| localised(cut(root, format!("{title}: overlay"), texts.join("; "), words), scene))
+    let title = format!("{title}: {}", words.overlay);
+    (y > 0.0).then(|| localised(cut(root, title, texts.join(words.semicolon), words), scene))
 }
 
 /// A panel with what is said of its faults below it, how wide and how high it is.
@@ -308,6 +309,25 @@ fn force_polygon(
     panel
 }
 
+/// Whose forces a polygon has.
+fn of_body(body: &FreeBody, notation: &Notation<'_>) -> Rich {
+    let words = notation.words;
+    match body.of {
+        Party::Link(link) => {
+            let link = ("link", Rich::upright(notation.mechanism().link(link).number.to_string()));
+            Rich::fill(words.force_polygon_figure, &[link])
+        }
+        Party::Pin(point) => Rich::fill(words.pin_polygon_figure, &[("point", notation.point(point))]),
+    }
+}
+
+/// A panel with its title below it.
+fn entitled(mut panel: Group, title: Rich) -> Group {
+    let ink = panel.bounds().unwrap_or(Rect::ZERO);
+    title.set(SMALL).put(&mut panel, Point::new(ink.x0, ink.y1 + LINE + 1.0), "caption");
+    panel
+}
+
 /// Blocks side by side or one below the other, whichever fills a page better, and how high they are together.
 fn arranged(blocks: Vec<(Group, f64, f64)>) -> (Group, f64) {
     let sum = |of: fn(&(Group, f64, f64)) -> f64| blocks.iter().map(of).sum::<f64>();
@@ -404,7 +424,7 @@ fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static 
 }
 
 /// What the lines mean.
-fn legend(root: &mut Group, y: f64, faults: bool) {
+fn legend(root: &mut Group, y: f64, faults: bool, own: &Words) {
     let mut legend = Group::new("legend");
     let mut x = 0.0;
     let mut entry = |legend: &mut Group, text: &str, dash: Dash| {
@@ -415,12 +435,12 @@ fn legend(root: &mut Group, y: f64, faults: bool) {
         words.set(SMALL).put(legend, Point::new(x + 14.0, y + 1.2), "caption");
         x += 14.0 + words.width(SMALL) + 8.0;
     };
-    entry(&mut legend, "right", Dash::Solid);
-    entry(&mut legend, "yours, letters with *", Dash::Dashed);
+    entry(&mut legend, own.overlay_right, Dash::Solid);
+    entry(&mut legend, own.overlay_yours, Dash::Dashed);
     if faults {
         let centre = Point::new(x + 2.5, y);
         legend.mark(Mark::stroke(Shape::Circle { centre, radius: 2.5 }, Pen::solid(THIN)));
-        let words = Rich::upright("where a fault shows");
+        let words = Rich::upright(own.overlay_fault);
         words.set(SMALL).put(&mut legend, Point::new(x + 7.0, y + 1.2), "caption");
     }
     root.group(legend);

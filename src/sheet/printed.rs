@@ -385,17 +385,30 @@ impl Figures {
         reckon: impl Fn(&[f64]) -> f64,
         far: f64,
     ) -> (Vec<Rich>, Rich, f64) {
-        let tell = |(key, si, unit): &(Option<Key>, f64, &Unit)| match key {
-            Some(key) => self.number(*key, *si, unit),
-            None => human::given(si.abs() / unit.si, 0),
-        };
-        let told: Vec<(Rich, f64)> = factors.iter().map(tell).collect();
-        let printed: Vec<f64> = told.iter().map(|(_, number)| *number).collect();
-        let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
-        let reckoned = reckon(&printed);
         let exact = si / unit.si;
         let more = key.map_or(0, |key| self.more(key));
         let (mut text, mut number) = human::limited(exact, more);
+        // What stands in no other line has as many figures as this one takes to close.
+        let mut tell = |finer: usize| -> Vec<(Rich, f64)> {
+            let told = factors.iter().map(|(key, si, unit)| match key {
+                Some(key) => self.number(*key, *si, unit),
+                None => {
+                    let own = si.abs() / unit.si;
+                    let [finer, usual] = [finer, 0].map(|more| human::figures_of_reading(own, more));
+                    human::given(own, finer - usual)
+                }
+            });
+            told.collect()
+        };
+        let printed = |told: &[(Rich, f64)]| told.iter().map(|(_, number)| *number).collect::<Vec<f64>>();
+        let mut told = tell(0);
+        if factors.iter().any(|(key, ..)| key.is_none()) {
+            let closes = |told: &Vec<(Rich, f64)>| human::agrees(reckon(&printed(told)), number, exact, more);
+            told = (0..=MOST_MORE).map(tell).find(closes).unwrap_or(told);
+        }
+        let printed = printed(&told);
+        let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
+        let reckoned = reckon(&printed);
         if !human::agrees(reckoned, number, exact, more) {
             // What was read is no nearer to the truth for its figures.
             let rounded = factors.iter().zip(&printed).all(|((key, si, unit), number)| {

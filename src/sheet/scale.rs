@@ -77,24 +77,34 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
 }
 
 /// Room for a diagram beside the words of a step, width and height in mm.
-pub const STEP: (f64, f64) = (72.0, 104.0);
+pub const STEP: (f64, f64) = (86.0, 108.0);
+/// Room for one above the words of a step.
+pub const STEP_ABOVE: (f64, f64) = (158.0, 150.0);
 
-/// The scales of a sheet that shows the steps one by one: each diagram fits beside its words.
+/// The scales of a sheet that shows the steps one by one: those of the solution, so that its drawings are found again, or
+/// larger ones where a diagram has the room beside its words; each leaves room for these on its page.
 #[must_use]
 pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
     let [w, h] = with_wheels(&scene.mechanism, extents.space, extents.rims);
     let (wide, high) = stretch(scene);
-    let free = (STEP.0 * wide, STEP.1 * high);
-    let fit = |dimension: Dimension, [w, h]: [f64; 2]| match dimension {
-        Dimension::Length => choose_length(w, h, free),
-        _ => choose_for(w, h, free, unit(scene, dimension)),
+    let fit = |dimension: Dimension, [w, h]: [f64; 2], room: (f64, f64)| {
+        let free = (room.0 * wide, room.1 * high);
+        match dimension {
+            Dimension::Length => choose_length(w, h, free),
+            _ => choose_for(w, h, free, unit(scene, dimension)),
+        }
     };
+    let sizes = Dimension::ALL.map(|dimension| match dimension {
+        Dimension::Length => Some([w, h]),
+        _ => largest(&extents, dimension),
+    });
+    let of_solution = for_scene(scene, extents);
     Scales::new(|dimension| {
-        let size = match dimension {
-            Dimension::Length => Some([w, h]),
-            _ => largest(&extents, dimension),
+        let size = sizes[dimension as usize];
+        let fitting = || {
+            let (beside, above) = (fit(dimension, size?, STEP)?, fit(dimension, size?, STEP_ABOVE)?);
+            Some(of_solution.of(dimension).min(beside).max(above))
         };
-        let fitting = || size.and_then(|size| fit(dimension, size));
         stated(scene, dimension).or_else(fitting).unwrap_or(by_default(scene, dimension))
     })
 }

@@ -20,7 +20,7 @@ use super::rich::Rich;
 use super::slots::Slot;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
-use crate::mechanism::{Form, Guide, Input, LinkId, PointId, Rider, Roll, Slide};
+use crate::mechanism::{Form, Guide, Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// Radius of a pin's circle.
 pub(super) const PIN: f64 = 1.1;
@@ -65,13 +65,21 @@ pub struct Overlay {
 
 /// The skeleton of a question with the first fixed point at the origin of the group: what the scene states,
 /// dimensioned, and nothing that the solution finds but the position in which it is drawn. And the points whose places
-/// its dimensions give.
+/// its dimensions give. `from`: the axes by which places are handed in.
 #[must_use]
-pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group, Vec<PointId>) {
+pub fn question(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    from: Option<&Origin>,
+) -> (Group, Vec<PointId>) {
     let mut group = Group::new("skeleton");
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
     artist.links_and_joints(&mut group, false);
+    if let Some(at) = from.and_then(|from| artist.pose.place(from.point)) {
+        let axes = artist.axes(at);
+        group.group(axes);
+    }
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
     let (arrows, names) = artist.driven_velocities();
@@ -111,6 +119,31 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
     }
 }
 
+/// The fixed point by which coordinates are counted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Origin {
+    /// The point.
+    pub point: PointId,
+    /// Its own coordinates, metres.
+    pub at: [f64; 2],
+}
+
+impl Origin {
+    /// The fixed point at the origin of the world; where there is none, the first.
+    #[must_use]
+    pub fn of(mechanism: &Mechanism) -> Option<Self> {
+        let fixed = mechanism.points.iter().enumerate().filter_map(|(index, point)| {
+            let place = point.place.exact().filter(|_| mechanism.is_fixed(PointId(index)))?;
+            Some(Self { point: PointId(index), at: [place[0].value, place[1].value] })
+        });
+        let all: Vec<Self> = fixed.collect();
+        all.iter().find(|origin| origin.at == [0.0; 2]).or(all.first()).copied()
+    }
+}
+
+/// How long the axes of coordinates are drawn, mm.
+const AXIS: f64 = 22.0;
+
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
 pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
@@ -125,7 +158,8 @@ pub fn apart(
     births: &Births<'_>,
 ) -> (Group, Vec<Request>) {
     let mut group = Group::new("skeleton");
-    let mut artist = Artist { births: Some(births), ..Artist::new(construction, notation) };
+    // What moves keeps every point, wherever it lies.
+    let mut artist = Artist { births: Some(births), far: Vec::new(), ..Artist::new(construction, notation) };
     artist.links_and_joints(&mut group, true);
     let known = artist.known_rotations();
     artist.rotations(&mut group, known, true);
@@ -215,6 +249,8 @@ pub(super) struct Artist<'a> {
     pub(super) labels: Vec<Request>,
     /// Fuller texts for some of the labels, by index: taken where all of them find room.
     fuller: Vec<(usize, Rich)>,
+    /// Centres of arcs that are not on the paper: an arrow leads there.
+    pub(super) far: Vec<PointId>,
     /// When its ink came onto the paper, where that is asked for.
     births: Option<&'a Births<'a>>,
 }
@@ -239,6 +275,7 @@ impl<'a> Artist<'a> {
             slots: Vec::new(),
             labels: Vec::new(),
             fuller: Vec::new(),
+            far: construction.far_centres(notation.mechanism()),
             births: None,
         };
         artist.bars = artist.all_bars();
@@ -718,7 +755,7 @@ impl Artist<'_> {
         let mechanism = self.notation.mechanism();
         for (i, point) in mechanism.points.iter().enumerate() {
             let id = PointId(i);
-            let Some(at) = self.pose.place(id) else { continue };
+            let Some(at) = self.pose.place(id).filter(|_| !self.far.contains(&id)) else { continue };
             let pinned = mechanism.pins.iter().any(|p| p.point == id);
             let rides =
                 mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
@@ -793,6 +830,21 @@ impl Artist<'_> {
             let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
             let mut request =
                 Request::new(text, SMALL, site, "label angle").or(quarter).or(beyond).lived(born);
+            request.leader = true;
+            self.labels.push(request);
+        }
+        all
+    }
+
+    /// The axes of coordinates, parallel to those of the world, from this place.
+    fn axes(&mut self, at: Point) -> Group {
+        let mut all = Group::new("axes");
+        for (name, along) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, -1.0))] {
+            let end = at + AXIS * along;
+            all.mark(Mark::stroke(Shape::Line(at, end - HEAD * along), Pen::solid(FINE)));
+            all.mark(head(end, along, HEAD));
+            let site = Site::Around { at: end, radius: 0.3, toward: Some(libm::atan2(-along.y, along.x)) };
+            let mut request = Request::new(Rich::italic(name), SMALL, site, "label axis");
             request.leader = true;
             self.labels.push(request);
         }

@@ -3,10 +3,11 @@
 use kurbo::{Point, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
-use super::ink::{FINE, THICK, THIN, dot, turned_rect};
-use super::labels::Site;
+use super::ink::{FINE, HEAD, SMALL, THICK, THIN, dot, head, turned_rect};
+use super::labels::{Request, Site};
 use super::overlap::part_inside;
 use super::pose::GuideLine;
+use super::rich::Rich;
 use super::skeleton::{Artist, BARE, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
 use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
@@ -291,7 +292,7 @@ impl Artist<'_> {
         // The radius of a curved slot, where its centre is on the paper.
         let window = self.window();
         for slide in &self.notation.mechanism().slides {
-            let (Path::Arc { centre, .. }, Some(GuideLine::Arc { at: rider, centre: middle })) =
+            let (Path::Arc { centre, radius }, Some(GuideLine::Arc { at: rider, centre: middle })) =
                 (slide.guide.path, self.pose.guide(slide))
             else {
                 continue;
@@ -299,7 +300,11 @@ impl Artist<'_> {
             let born = self.born_rider(slide);
             // A centre that no point marks has a dot of its own; one that lies far off is only pointed to.
             let own = matches!(centre, GuidePoint::Own(_));
-            let far = own && !self.near(middle);
+            let named = match centre {
+                GuidePoint::Point(point) if self.far.contains(&point) => Some(point),
+                _ => None,
+            };
+            let far = named.is_some() || own && !self.near(middle);
             if own && !far {
                 all.mark_lived(dot(middle, 0.5).class("centre"), born);
             }
@@ -307,6 +312,17 @@ impl Artist<'_> {
             if let Some((centre, rider)) = part_inside(middle, rider, window) {
                 let axis = Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis");
                 all.mark_lived(axis, born);
+            }
+            if let Some(point) = named {
+                let way = (middle - rider).normalize();
+                all.mark_lived(head(middle, way, HEAD * 0.8), born);
+                let radius = super::given::stated_with_unit(radius.value, &self.notation);
+                let parts = [("centre", self.notation.point(point)), ("radius", radius)];
+                let text = Rich::fill(self.notation.words.to_centre, &parts);
+                let site = Site::Around { at: middle, radius: 0.6, toward: Some(libm::atan2(-way.y, way.x)) };
+                let mut request = Request::new(text, SMALL, site, "label dimension").lived(born);
+                request.leader = true;
+                self.labels.push(request);
             }
         }
         all

@@ -211,7 +211,8 @@ impl Artist<'_> {
             Path::Arc { centre, .. } => centre,
         };
         let Some(base) = self.pose.stands(guide.link, place) else { return };
-        let near = self.near(base);
+        let far = matches!(place, GuidePoint::Point(point) if self.far.contains(&point));
+        let near = self.near(base) && !far;
         let (direction, turned, offset) = match guide.path {
             Path::Arc { radius, .. } => {
                 if near {

@@ -569,14 +569,15 @@ impl Teller<'_> {
     /// A term as it is written: the vector of a point of a link that moves with the link by those of its base and against
     /// this, where the step calculates them. What a hand lays off are these.
     fn written(&self, term: &Term) -> Vec<Written> {
-        // What a lever's turning gives where a pin is driven along it is told against the lever's base.
-        let turned = self.polygon().and_then(|polygon| {
-            let gives = |v: &&Vector| {
-                v.quantity == term.quantity
-                    && matches!((v.quantity, v.tail), (Quantity::CoincidentVelocity(..), Label::Foot { .. }))
-            };
-            seen_from(polygon.vectors.iter().find(gives)?, polygon)
-        });
+        // What a link's turning gives to one of its points is told against the point about which it turns: on the line to
+        // that, or across it, only such a part is drawn.
+        let turned = match term.direction {
+            Some(TermDirection::Claim(
+                Claim::Parallel(Reference::Points(base, _))
+                | Claim::Perpendicular(Reference::Points(base, _)),
+            )) => Some(base),
+            _ => None,
+        };
         let whole = || vec![Written { term: *term, from: turned }];
         let (order, parts) = match term.quantity {
             Quantity::CoincidentVelocity(p, l) => (Order::Velocity, vec![Quantity::CoincidentVelocity(p, l)]),
@@ -850,6 +851,13 @@ impl Teller<'_> {
                     None => told,
                 }
             }
+            Act::LeaveOutNormals { contact, centre } => Rich::fill(
+                words.leave_out_normals,
+                &[
+                    ("point", n.point(*contact)),
+                    ("line", n.claim(Claim::Parallel(Reference::Points(*centre, *contact)))),
+                ],
+            ),
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,

@@ -24,7 +24,7 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::new`], which has drawn the same drawing.
     pub fn with_bounds(&self) -> Result<SweepWithBounds<'_>, SweepError> {
-        if self.rolls_on {
+        if self.is_carried_along() {
             return Err(SweepError::Instant(
                 "no bounds where points of a wheel are asked for: what it has rolled adds up from the scene's \
                  instant on"

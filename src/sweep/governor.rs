@@ -98,11 +98,13 @@ struct Way {
     outward: bool,
 }
 
-/// The first columns of the sweep as they count for a governor.
+/// The columns of the sweep that count for a governor.
 struct Looking<'a> {
     sweep: &'a Sweep,
-    /// How many of them are speeds.
-    speeds: usize,
+    /// Those of the speeds at which it rises and falls, which are one where nothing drags.
+    speeds: [usize; 2],
+    /// Those of the ball's place.
+    ball: [usize; 2],
     through: [f64; 2],
     along: [f64; 2],
 }
@@ -110,11 +112,12 @@ struct Looking<'a> {
 impl Looking<'_> {
     /// The governor at one place; none where there is no equilibrium.
     fn at(&self, at: f64) -> Option<Look> {
-        let values: Option<Vec<_>> = self.sweep.at(at)?.into_iter().take(self.speeds + 2).collect();
-        let values = values?;
-        let (rising, falling) = (values[0], values[self.speeds - 1]);
-        let across = self.across([values[self.speeds].value, values[self.speeds + 1].value]);
-        let sliding = self.turned([values[self.speeds].slope, values[self.speeds + 1].slope]);
+        let values = self.sweep.at(at)?;
+        let read = |column: usize| values.get(column).copied().flatten();
+        let (rising, falling) = (read(self.speeds[0])?, read(self.speeds[1])?);
+        let (x, y) = (read(self.ball[0])?, read(self.ball[1])?);
+        let across = self.across([x.value, y.value]);
+        let sliding = self.turned([x.slope, y.slope]);
         // ω² is a sum of what acts: without the drag it lies in the middle.
         let square = f64::midpoint(rising.value * rising.value, falling.value * falling.value);
         let steeper = rising.value * rising.slope + falling.value * falling.slope;
@@ -135,7 +138,8 @@ impl Looking<'_> {
     /// How far from the axis the ball is where the mechanism stands, whether there is equilibrium or not.
     fn radius(&self, at: f64) -> Option<f64> {
         let values = self.sweep.at(at)?;
-        let (x, y) = ((*values.get(self.speeds)?)?, (*values.get(self.speeds + 1)?)?);
+        let [x, y] = self.ball.map(|column| values.get(column).copied().flatten());
+        let (x, y) = (x?, y?);
         Some(self.across([x.value, y.value]).abs()).filter(|radius| radius.is_finite())
     }
 
@@ -240,7 +244,7 @@ impl Looking<'_> {
 }
 
 /// Leads a governor over the range of its input, or over this one, SI units; none of a mechanism whose speed of
-/// equilibrium is not sought.
+/// equilibrium is not sought, or where its position has none.
 ///
 /// # Errors
 /// See [`SweepError`].
@@ -266,17 +270,22 @@ pub fn governed(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Option
     };
     let speed = |share| asked(Quantity::Force(Force::Spin, share), "rad/s");
     let drags = spin.drag.is_some();
-    let speeds =
-        if drags { vec![speed(Share::Rising), speed(Share::Falling)] } else { vec![speed(Share::Total)] };
-    let columns = speeds.len();
-    asking.asked = speeds;
+    let shares = if drags { [Share::Rising, Share::Falling] } else { [Share::Total; 2] };
+    asking.asked = shares[usize::from(!drags)..].iter().map(|share| speed(*share)).collect();
     asking.asked.push(asked(Quantity::Position(ball), "m"));
     let sweep = Sweep::new(&asking, range)?;
+    // What nothing determines has no column.
+    let column = |quantity: Quantity, axis: Option<usize>| {
+        sweep.columns.iter().position(|own| own.asked.quantity == quantity && own.axis == axis)
+    };
+    let speeds = shares.map(|share| column(Quantity::Force(Force::Spin, share), None));
+    let place = [0, 1].map(|axis| column(Quantity::Position(ball), Some(axis)));
+    let ([Some(rising), Some(falling)], [Some(x), Some(y)]) = (speeds, place) else { return Ok(None) };
     let [through, along] = [spin.through.map(|given| given.value), {
         let angle = spin.angle.value;
         [libm::cos(angle), libm::sin(angle)]
     }];
-    let looking = Looking { sweep: &sweep, speeds: columns, through, along };
+    let looking = Looking { sweep: &sweep, speeds: [rising, falling], ball: [x, y], through, along };
     let start = sweep.start;
     // A look at its own place again would tell nothing but roundings.
     let apart = (sweep.range[1] - sweep.range[0]) / f64::from(4 * LOOKS);

@@ -15,6 +15,7 @@
 //! **Architecture Invariant:** nothing here knows paper, a file or the analytic solver.
 
 mod bounds;
+mod carried;
 mod course;
 mod curve;
 pub mod governor;
@@ -26,10 +27,11 @@ pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Kind, Nature, Order, Quantity, Stuck};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{CentreSource, Extent, Plan};
 
 pub use bounds::SweepWithBounds;
+pub use carried::Skeleton;
 pub use course::{Event, EventKind, Stretch};
 pub use curve::{Table, Track};
 pub use positions::{PositionError, moved_to, other_positions};
@@ -225,8 +227,8 @@ pub struct Sweep {
     ready: (Mechanism, Variable, CentreSource),
     /// How many of its asked quantities somebody asked for.
     asked: usize,
-    /// Points of wheels are carried along by how far these have rolled.
-    rolls_on: bool,
+    /// The wheels whose points are carried along by how far they have rolled, each with its centre.
+    rolling: Vec<(LinkId, PointId)>,
 }
 
 /// How many places of a turn, or of a slide's range, are looked at to see that something happens between two of
@@ -297,7 +299,7 @@ impl Sweep {
             }
         }
         let structure = Structure::of(&mechanism)?;
-        let starts = prepare::starts(placed, &mechanism, &structure, &moved)?;
+        let wheels = prepare::wheels_rolling_on(placed, &mechanism, &structure, &moved)?;
         let variable = match over {
             Over::Input => Variable::Input(swept),
             Over::Time => Variable::Time(prepare::laws(&mut mechanism)?),
@@ -311,7 +313,7 @@ impl Sweep {
                 plan.centres.first =
                     Some(Box::new(Plan::with(&alone, &structure, Extent::Asked, source).centres));
             }
-            transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &starts)
+            transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &wheels.starts)
         };
         let mut source = CentreSource::Diagram;
         let mut transcribed = transcribe_from(source)?;
@@ -365,9 +367,9 @@ impl Sweep {
             }
         };
         // A wheel that has rolled on does not stand as before when the input comes round.
-        let whole_turn = whole_turn && starts.is_empty();
+        let whole_turn = whole_turn && wheels.rolling.is_empty();
         let mut sweep = Self {
-            rolls_on: !starts.is_empty(),
+            rolling: wheels.rolling,
             input,
             range,
             start,
@@ -494,37 +496,11 @@ impl Sweep {
         Some(self.look(at, &stretch.signs, &mut place))
     }
 
-    /// The mechanism as it stands at one place: its inputs there, with their rates, and every point near where the
-    /// sweep has it, so that whoever solves it finds the same assembly. `None` where it cannot be assembled; of a
-    /// mechanism whose wheels carry points along, everywhere but where the scene stands.
-    #[must_use]
-    pub fn mechanism_at(&self, at: f64) -> Option<Mechanism> {
-        if self.rolls_on {
-            return (at == self.start).then(|| self.placed.clone());
-        }
-        let stretch = self.stretch_at(at)?;
-        let (ready, variable, _) = &self.ready;
-        let mut mechanism = ready.clone();
-        mechanism.asked.truncate(self.asked);
-        prepare::lead(&mut mechanism, variable, at);
-        let Transcribed { skeleton, placed, .. } = &self.transcribed;
-        let mut place = Workspace::default();
-        skeleton.look(at, &stretch.signs, &mut place);
-        let coordinates: Vec<f64> = skeleton.asked(&place).map(|m| m.value).collect();
-        for (point, at) in placed.iter().zip(coordinates.chunks_exact(2)) {
-            let place = &mut mechanism.points[point.0].place;
-            if place.exact().is_none() {
-                *place = Place::Near([at[0], at[1]]);
-            }
-        }
-        Some(mechanism)
-    }
-
     /// Whether points of wheels are carried along: where they stand adds up from the scene's own place on, and no
     /// drawing of one position tells it.
     #[must_use]
     pub fn is_carried_along(&self) -> bool {
-        self.rolls_on
+        !self.rolling.is_empty()
     }
 
     /// Whether groups of higher class are found by trial.
@@ -738,6 +714,13 @@ impl Sweep {
     /// The size of the input's numbers, by which its rounding is measured.
     fn size(&self) -> f64 {
         self.range[0].abs().max(self.range[1].abs())
+    }
+
+    /// The same sweep beside another mechanism, away from the scene's own place: for whoever looks whether that is found.
+    #[cfg(test)]
+    pub(crate) fn beside(mut self, change: impl Fn(&mut Mechanism)) -> Self {
+        change(&mut self.ready.0);
+        self
     }
 
     pub(crate) fn transcribed(&self) -> &Transcribed {

@@ -167,21 +167,29 @@ pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure)
     }
 }
 
-/// Where the points of rolling wheels stand at the scene's instant; nothing where no wheel has points, and how none turns is
-/// not asked.
-pub(super) fn starts(
+/// Wheels that roll on in a sweep, from where they stand at the scene's instant.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Wheels {
+    /// Each with its centre; none where no wheel has points, and how none turns is not asked.
+    pub(super) rolling: Vec<(LinkId, PointId)>,
+    /// Where their points stand, by point; empty where none rolls on.
+    pub(super) starts: Vec<Option<GivenPoint>>,
+}
+
+/// Which wheels roll on, and where their points stand at the scene's instant.
+pub(super) fn wheels_rolling_on(
     placed: &Mechanism,
     ready: &Mechanism,
     structure: &Structure,
     moved: &Moved,
-) -> Result<Vec<Option<GivenPoint>>, SweepError> {
-    let mut starts = Vec::new();
+) -> Result<Wheels, SweepError> {
     let is_asked = |wheel: LinkId| {
         ready.asked.iter().any(|asked| matches!(asked.quantity, Quantity::Angle(link) if link == wheel))
     };
     let rolls_on = |wheel: LinkId| moved.has(wheel) && (carries_more(ready, wheel) || is_asked(wheel));
-    for (wheel, centre) in wheels(structure).filter(|(wheel, _)| rolls_on(*wheel)) {
-        starts.resize(ready.points.len(), None);
+    let rolling: Vec<_> = wheels(structure).filter(|(wheel, _)| rolls_on(*wheel)).collect();
+    let mut starts = vec![None; if rolling.is_empty() { 0 } else { ready.points.len() }];
+    for &(wheel, centre) in &rolling {
         let link = ready.link(wheel);
         for &point in &link.points {
             starts[point.0] = placed.point(point).place.exact();
@@ -200,7 +208,7 @@ pub(super) fn starts(
             )));
         }
     }
-    Ok(starts)
+    Ok(Wheels { rolling, starts })
 }
 
 /// Whether a pin rides on a guide of the frame.

@@ -7,6 +7,7 @@ pub(crate) mod exact;
 pub(crate) mod givens;
 pub(crate) mod hand_in;
 pub(crate) mod oracle;
+pub(crate) mod plane;
 
 use std::path::{Path, PathBuf};
 

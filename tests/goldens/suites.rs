@@ -325,6 +325,39 @@ fn a_refusal_that_is_expected_is_a_golden_of_its_own() {
     assert_eq!(folder.files(), ["scene.json", "scene.refusal.txt"]);
 }
 
+/// What bears the name of a golden and was never blessed is somebody's own: another scene, a figure drawn by hand. Nothing is
+/// written over it, and nothing else is written.
+#[test]
+fn what_is_no_golden_is_not_written_over() {
+    for (name, text) in [
+        ("scene.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>"),
+        ("scene.png", "a photograph"),
+        ("scene.scene.json", "{\"title\": \"the scene of another\"}"),
+    ] {
+        let folder = Folder::new("own-file");
+        folder.write("scene.json", &example("s000-ch3a-1"));
+        folder.write(name, text);
+        let told = folder.suite().bless(&|| {}).unwrap_err().to_string();
+        assert!(told.contains(name) && told.contains("move it away"), "{told}");
+        assert_eq!(folder.read(name), text);
+        assert_eq!(folder.files(), sorted(["scene.json", name]));
+        // Kept as a line a scene needs no such file, and takes none away.
+        folder.write("suite.json", r#"{"figures": [{"scenes": ["scene.json"], "keep": "line"}]}"#);
+        let suite = folder.suite();
+        suite.bless(&|| {}).unwrap();
+        assert_eq!(folder.read(name), text);
+        std::fs::remove_file(folder.path(name)).unwrap();
+        std::fs::remove_file(folder.path("suite.json")).unwrap();
+        folder.suite().bless(&|| {}).unwrap();
+        assert!(folder.files().iter().any(|file| file == "scene.figure.json"));
+    }
+}
+
+fn sorted<const N: usize>(mut names: [&str; N]) -> Vec<&str> {
+    names.sort_unstable();
+    names.to_vec()
+}
+
 #[test]
 fn a_scene_that_cannot_be_drawn_blesses_nothing() {
     let folder = Folder::blessed("broken", "s000-ch3a-1");

@@ -164,11 +164,14 @@ fn a_drawing_of_elsewhere_is_not_opened() {
     assert!(folder.refused(&["grade", "slider.json", "a.json"]).contains("No such file"));
     // Beside the answers, or wherever the teacher says.
     folder.write("mine/a.json", r#"{ "values": { "v(A)": 300 }, "drawing": "./d.svg" }"#);
-    let said = folder.refused(&["grade", "slider.json", "mine/a.json"]);
-    assert!(said.contains("no fixed point of the skeleton is given"), "{said}");
+    let read = |arguments: &[&str]| {
+        let ran = folder.run(arguments);
+        assert_eq!(ran.code, Some(2), "{}", ran.err);
+        assert!(ran.err.contains("no fixed point of the skeleton is given"), "{}", ran.err);
+    };
+    read(&["grade", "slider.json", "mine/a.json"]);
     folder.write("mine/a.json", r#"{ "values": { "v(A)": 300 } }"#);
-    let said = folder.refused(&["grade", "slider.json", "mine/a.json", "--drawing", "neighbour/d.svg"]);
-    assert!(said.contains("no fixed point of the skeleton is given"), "{said}");
+    read(&["grade", "slider.json", "mine/a.json", "--drawing", "neighbour/d.svg"]);
 }
 
 /// What is no file is refused at once: nobody waits for a pipe or a terminal device.

@@ -123,12 +123,13 @@ fn the_truth_is_the_derivative_of_places() {
     assert!(held > 300, "{held} mechanisms");
 }
 
-/// Whole sheets of a sample, and their sweeps at the place from which they start.
+/// Whole sheets of a sample, and their sweeps at the place from which they start; the independent solver confirms both.
 #[test]
 fn sheets_and_sweeps_of_the_statements() {
     let (mut drawn, mut swept) = (0, 0);
     let mut complaints = Vec::new();
-    for seed in 0..from_environment("LINKGRAM_SHEETS", 120) {
+    let from = from_environment("LINKGRAM_SEED", 0);
+    for seed in from..from + from_environment("LINKGRAM_SHEETS", 120) {
         let Ok(case) = case(seed) else { continue };
         if !judge::judge(&case.scene, &case.asked).faults.is_empty() {
             continue;
@@ -142,14 +143,26 @@ fn sheets_and_sweeps_of_the_statements() {
                 if svg.contains("NaN") || svg.contains("\"inf") {
                     complaints.push(format!("seed {seed}: the sheet has no number\n{text}"));
                 }
+                if let Err(why) = linkgram::check::confirm(&scene, &solved) {
+                    complaints.push(format!("seed {seed}: the sheet is not confirmed: {why}\n{text}"));
+                }
                 drawn += 1;
             }
             Err(error) => complaints.push(format!("seed {seed}: {error}\n{text}")),
         }
-        let Ok(sweep) = linkgram::sweep::Sweep::new(&scene.mechanism, None) else { continue };
+        let sweep = match linkgram::sweep::Sweep::new(&scene.mechanism, None) {
+            Ok(sweep) => sweep,
+            Err(why) => {
+                println!("seed {seed} is not swept: {why}");
+                continue;
+            }
+        };
         let found = judge::at_start(&sweep, &case.asked);
         if !found.is_empty() {
             complaints.push(format!("seed {seed}: {found:?}\n{text}"));
+        }
+        if let Err(why) = linkgram::check::confirm_sweep(&sweep) {
+            complaints.push(format!("seed {seed}: the sweep is not confirmed: {why:?}\n{text}"));
         }
         swept += 1;
     }

@@ -362,9 +362,16 @@ fn later_complaints_know_the_place() {
 
 #[test]
 fn an_input_angle_keeps_its_whole_turns_and_half_a_turn_its_sign() {
-    for (stated, degrees) in
-        [("30", 30.0), ("210", 210.0), ("180", 180.0), ("-90", -90.0), ("\"400 deg\"", 400.0)]
-    {
+    let all = [
+        ("30", 30.0),
+        ("210", 210.0),
+        ("180", 180.0),
+        ("-90", -90.0),
+        ("\"400 deg\"", 400.0),
+        ("1500", 1500.0),
+        ("-1130", -1130.0),
+    ];
+    for (stated, degrees) in all {
         let scene = good(&example_with("\"angle\": 30", &format!("\"angle\": {stated}")));
         let angle = scene.input_units[0].angle.unwrap().to_degrees();
         assert!((angle - degrees).abs() < 1e-9, "{stated}: {angle}");
