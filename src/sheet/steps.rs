@@ -851,13 +851,6 @@ impl Teller<'_> {
                     None => told,
                 }
             }
-            Act::LeaveOutNormals { contact, centre } => Rich::fill(
-                words.leave_out_normals,
-                &[
-                    ("point", n.point(*contact)),
-                    ("line", n.claim(Claim::Parallel(Reference::Points(*centre, *contact)))),
-                ],
-            ),
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,
