@@ -1210,7 +1210,7 @@ fn a_guide_is_drawn_by_what_stands() {
     // An arc has its centre and its radius.
     let told = lines(&kind("eccentric-pump"));
     assert!(
-        told.contains("About E strike an arc with the radius R = 250 mm (50.0 mm). It is the guide of D."),
+        told.contains("About E strike an arc with the radius R = 250 mm (100.0 mm). It is the guide of D."),
         "{told}"
     );
     // The far end of a rod that runs on past a joint.

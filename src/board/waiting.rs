@@ -65,7 +65,7 @@ mod tests {
             let mut lots = Lots::new(seed);
             let (mut waiting, mut set) = (Waiting::default(), BTreeSet::new());
             for _ in 0..2000 {
-                if lots.draw() % 3 > 0 {
+                if !lots.draw().is_multiple_of(3) {
                     let slot = (lots.draw() % 1_000_000) as u32 >> (lots.draw() % 20);
                     waiting.add(slot);
                     set.insert(slot);

@@ -17,6 +17,9 @@ const SPARSER: f64 = 16.0;
 /// What is left of a place when it has been followed for a while, in sizes of the mechanism (of an angle, in radians).
 const SMOOTH: f64 = 1e-6;
 
+/// What changes by more than this part in no way at all leaps; less is what a root at a limit leaves.
+const LEAP: f64 = 1e-3;
+
 /// An interval over which it strays is halved so often before it leaps there: what ends in a limit goes as a root, and is
 /// smooth to [`SMOOTH`] by then.
 const MOST_HALVINGS: u32 = 48;
@@ -147,7 +150,7 @@ fn leap(look: &impl Fn(f64) -> Look, [from, middle, to]: [&Look; 3], left: u32) 
     });
     let (by, index) = astray?;
     if left == 0 || middle.0 <= from.0 || middle.0 >= to.0 {
-        return (by.abs() > SMOOTH * from.1[index].size).then_some((from.0, by, index));
+        return (by.abs() > LEAP * from.1[index].size).then_some((from.0, by, index));
     }
     let halves = [[from, middle], [middle, to]];
     halves.into_iter().find_map(|[from, to]| {

@@ -319,7 +319,7 @@ impl<'s> Case<'s> {
         case.take_to_scale(&mut figures);
         case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
         for figure in figures {
-            unread.extend(case.observe_points(answers, figure).err());
+            unread.extend(case.observe_points(answers, figure));
         }
         case.unread = answers.unread().into_iter().chain(unread).collect();
         for index in 0..case.unread.len() {
@@ -682,26 +682,24 @@ impl<'s> Case<'s> {
         }
     }
 
-    /// Points of a figure, from its pole; those of the skeleton from its fixed points.
-    ///
-    /// # Errors
-    /// Nothing tells how the figure lies: none of its points is read.
-    fn observe_points(&mut self, answers: &Answers, found: Found<'_>) -> Result<(), Unread> {
+    /// Points of a figure, from its pole; those of the skeleton from its fixed points. Gives what is not read: where nothing
+    /// tells how the figure lies, none of its points is.
+    fn observe_points(&mut self, answers: &Answers, found: Found<'_>) -> Option<Unread> {
         let Found { figure, points } = found;
         let order = figure.order;
         // Nothing of it was understood, which is told already.
         if points.is_empty() {
-            return Ok(());
+            return None;
         }
-        let onto = self.onto_figure(order, &points).ok_or_else(|| {
+        let Some(onto) = self.onto_figure(order, &points) else {
             let place = figure.points.first().map_or(0, |(.., place)| *place);
             let (what, mend) = match order {
                 Order::Position => ("no fixed point of the skeleton is given", "give one, or better two"),
                 _ => ("the pole is missing", "give it as `o`: vectors are measured from there"),
             };
             let why = answers.complain(place, what, Some(mend.to_owned()));
-            Unread { name: format!("points.{}", figure_name(order)), quantity: None, why }
-        })?;
+            return Some(Unread { name: format!("points.{}", figure_name(order)), quantity: None, why });
+        };
         let si = self.si_per_mm(order);
         for (name, at, target) in points {
             let (rank, quantity) = match target {
@@ -737,7 +735,7 @@ impl<'s> Case<'s> {
                 rank,
             });
         }
-        Ok(())
+        None
     }
 
     /// How a student's figure lies against the right one, the sheet turned back; `None` where nothing tells.

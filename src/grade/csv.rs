@@ -170,8 +170,11 @@ fn quantity<'r>(
     Ok(Some(item))
 }
 
+/// A point: its figure, and its name, its coordinates and where they stand.
+type Placed = (Order, (String, [f64; 2], usize));
+
 /// The point of a row, by its figure.
-fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>) -> Res<(Order, (String, [f64; 2], usize))> {
+fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>) -> Res<Placed> {
     let (figure, at) = need("figure")?;
     let order = order_of(figure).ok_or_else(|| {
         Fault::new(*at, format!("`{figure}` is no figure"))

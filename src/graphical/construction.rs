@@ -1389,13 +1389,6 @@ pub enum Act {
         /// no dyad of it is solvable alone.
         of_no_dyad: bool,
     },
-    /// At a rolling contact only the tangential parts count: what lies along the common normal is not drawn.
-    LeaveOutNormals {
-        /// The contact point.
-        contact: PointId,
-        /// The centre of the wheel whose turning is sought.
-        centre: PointId,
-    },
     /// Draw two trial polygons.
     TryPolygon {
         /// The trial driver.

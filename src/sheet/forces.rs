@@ -706,6 +706,9 @@ fn given_torques(sheet: &ForceSheet) -> Vec<(LinkId, Force, f64)> {
     all
 }
 
+/// A stretch of a straight line, from end to end.
+type Stretch = (Point, Point);
+
 /// Where an arrow begins that would else lie on another on its line: beyond the other's tip.
 fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64) -> Point {
     let size = libm::hypot(acting.force[0], acting.force[1]);
@@ -750,7 +753,7 @@ fn lies_on((from, to): (Point, Point), (a, b): (Point, Point)) -> bool {
 /// Where an arrow begins that would else lie on the link on which it acts, or on another arrow: with its head at its place and
 /// its shaft outside of the link, or further along its line.
 fn off_the_link(
-    (bars, taken): (&[(Point, Point)], &mut Vec<(Point, Point)>),
+    (bars, taken): (&[Stretch], &mut Vec<Stretch>),
     acting: &Acting,
     at: Point,
     most: f64,
@@ -1345,7 +1348,7 @@ fn unknown(
     requests: &mut Vec<Request>,
     acting: &Acting,
     (known, at): (Knowledge, Point),
-    (places, bars): (&[(Point, Rich, bool)], &[(Point, Point)]),
+    (places, bars): (&[(Point, Rich, bool)], &[Stretch]),
     notation: &Notation<'_>,
 ) {
     let mechanism = notation.mechanism();

@@ -893,7 +893,7 @@ impl Teller<'_> {
             let carrier = mechanism.rubbing_carrier(rubbing.pin);
             if let (Some(link), true) = (carrier, mechanism.parties_at(rubbing.pin).len() > 2) {
                 let told =
-                    [("point", self.n.point(rubbing.pin)), ("link", Rich::upright(&self.n.number(link)))];
+                    [("point", self.n.point(rubbing.pin)), ("link", Rich::upright(self.n.number(link)))];
                 parts.push(Rich::fill(self.n.words.given_pin_held, &told));
             }
             match rubbing.circle {

@@ -248,8 +248,6 @@ pub struct Words {
     pub flat_crossing: &'static str,
     pub transfer_point: &'static str,
     pub transfer_point_lengths: &'static str,
-    /// Of a rolling contact: `{point}`, and along the common normal, `{line}`.
-    pub leave_out_normals: &'static str,
     pub mark_contact: &'static str,
     /// No dyad of a group is solvable alone.
     pub no_dyad_alone: &'static str,
@@ -698,7 +696,6 @@ const ENGLISH: Words = Words {
     flat_crossing: "They cross at only {angle}: hard to read off by hand.",
     transfer_point: "Mark {point} on link {link} by the link’s own dimensions.",
     transfer_point_lengths: "Mark {point} on link {link}: {lengths}.",
-    leave_out_normals: "At {point} the tangential parts are equal; the normal parts, all {line}, are left out.",
     mark_contact: "Mark the contact point {point}.",
     no_dyad_alone: "No dyad of this group is solvable alone.",
     try_position_rod: "Turn link {link} by trial; {near} runs along its trial curve. Take the position in which {length} has its given length.",
@@ -1135,7 +1132,6 @@ const ARABIC: Words = Words {
     flat_crossing: "يتقاطعان بزاوية {angle} فقط: تصعب قراءة التقاطع باليد.",
     transfer_point: "نعيّن النقطة {point} على الوصلة {link} بأبعادها المعطاة.",
     transfer_point_lengths: "نعيّن النقطة {point} على الوصلة {link} حيث {lengths}.",
-    leave_out_normals: "عند {point} المركبات المماسية متساوية، ونترك كل ما هو {line}.",
     mark_contact: "نعيّن نقطة التماس {point}.",
     no_dyad_alone: "لا تحل أي ثنائية من هذه المجموعة وحدها.",
     try_position_rod: "ندير الوصلة {link} بالتجريب فتتحرك {near} على منحني التجريب. نأخذ الوضع الذي يأخذ فيه الطول {length} قيمته المعطاة.",
@@ -1622,7 +1618,6 @@ const PERSIAN: Words = Words {
     flat_crossing: "زاویهٔ تقاطع تنها {angle} است: خواندن آن با دست دشوار است.",
     transfer_point: "نقطهٔ {point} را روی بند {link} با اندازه‌های همان بند مشخص می‌کنیم.",
     transfer_point_lengths: "نقطهٔ {point} را روی بند {link} مشخص می‌کنیم: {lengths}.",
-    leave_out_normals: "در {point} مؤلفه‌های مماسی برابرند؛ هر چه {line} است کنار می‌گذاریم.",
     mark_contact: "نقطهٔ تماس {point} را مشخص می‌کنیم.",
     no_dyad_alone: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست.",
     try_position_rod: "بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن {length} طول داده‌شدهٔ خود را دارد.",
