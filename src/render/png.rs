@@ -158,9 +158,10 @@ mod tests {
             Pixmap::decode_png(&encoded).unwrap()
         });
         assert!(picture.height > 100 && whole.width() == banded.width());
-        // An edge may be some grey values off; a row that is missing or shifted would be black for white.
+        // A pixel is covered by four samples in its height, of which rounding may move one across an edge; a row that is
+        // missing or shifted would be black for white.
         let apart = whole.data().iter().zip(banded.data()).map(|(a, b)| a.abs_diff(*b));
         let most = apart.max().unwrap();
-        assert!(most <= 32, "{most}");
+        assert!(most <= 64, "{most}");
     }
 }

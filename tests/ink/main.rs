@@ -164,7 +164,7 @@ impl Reading<'_> {
         for slide in self.mechanism.slides.iter().filter(|s| s.guide.link == link) {
             let Rider::Pin { point: under, .. } = slide.rider else { continue };
             for &b in points.iter().filter(|&&b| b != under) {
-                let name = format!("{letter}({}/{})", self.name(b), self.name(under));
+                let name = format!("{letter}({}@{number}/{}@{number})", self.name(b), self.name(under));
                 arms.push((name, minus(self.joint(b), self.joint(under))));
             }
         }
