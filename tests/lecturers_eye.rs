@@ -61,6 +61,27 @@ fn pictures_of_the_steps_are_as_large_as_those_of_the_solution() {
     }
 }
 
+/// Beside a picture stand no more than four sentences that tell of lines: whoever reads them finds each in it.
+#[test]
+fn beside_a_picture_of_the_steps_stand_four_acts_at_most() {
+    const ACTS: [&str; 8] =
+        ["– Through", "– Lay off", "– The lines meet", "– Read", "– Produce", "– Divide", "– About", "– At"];
+    let (mut pieces, mut most) = (0, 0);
+    for name in ["six-link", "whitworth", "four-bar", "rolling-wheel", "eccentric-pump"] {
+        let scene = kind(name);
+        let steps = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_steps).unwrap();
+        let figure = sheet::step_by_step(&scene, &steps.solution.construction, Language::English);
+        for text in within(&figure.root).into_iter().filter(|group| has(group, "steps")) {
+            let words = told(text);
+            let acts = ACTS.iter().map(|act| words.matches(act).count()).sum::<usize>();
+            pieces += 1;
+            most = most.max(acts);
+            assert!(acts <= 4, "{name}: {words}");
+        }
+    }
+    assert!(pieces >= 30 && most == 4, "{pieces} {most}");
+}
+
 /// A slider-crank of which the rod is pushed along itself.
 const PUSHED: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]},
     "links": {"2": {"joins": ["O2", "A"], "length": 50}, "3": {"joins": ["A", "B"], "length": 160}},
