@@ -17,7 +17,7 @@ const SPARSER: f64 = 16.0;
 /// What is left of a place when it has been followed for a while, in sizes of the mechanism (of an angle, in radians).
 const SMOOTH: f64 = 1e-6;
 
-/// What changes by more than this part in no way at all leaps; less is what a root at a limit leaves.
+/// A change by more than this part over no way at all is a leap; less is what a root at a limit leaves.
 const LEAP: f64 = 1e-3;
 
 /// An interval over which it strays is halved so often before it leaps there: what ends in a limit goes as a root, and is
