@@ -67,6 +67,8 @@ pub enum SweepUnconfirmed {
     Stuck {
         /// Where, SI units.
         at: f64,
+        /// How.
+        how: Stuck,
         /// Which pairs rub.
         why: String,
     },
@@ -86,7 +88,7 @@ pub fn confirm_sweep(sweep: &Sweep) -> Result<usize, SweepUnconfirmed> {
     for (&at, wound) in places.iter().zip(&wound) {
         match confirm_at(sweep, at, wound.as_deref()) {
             // On the way several balances with friction may fit where the drawing has one that does.
-            Err(SweepUnconfirmed::Stuck { .. }) if !ends.contains(&at) => {}
+            Err(SweepUnconfirmed::Stuck { how: Stuck::Ambiguous, .. }) if !ends.contains(&at) => {}
             confirmed => confirmed?,
         }
     }
@@ -293,7 +295,7 @@ fn confirm_at(sweep: &Sweep, at: f64, wound: Option<&[f64]>) -> Result<(), Sweep
             (Answer::Scalar { value, bound }, None) => (*value, *bound),
             (Answer::Vector { value, bound }, Some(axis)) => (value[axis], *bound),
             (Answer::Indeterminate(Indeterminate::Rubbing { how, why }), _) if *how != Stuck::AtRest => {
-                return Err(SweepUnconfirmed::Stuck { at, why: why.clone() });
+                return Err(SweepUnconfirmed::Stuck { at, how: *how, why: why.clone() });
             }
             // At infinity, or not determined: the sweep has no number there either, or one that says so by its error.
             _ => continue,

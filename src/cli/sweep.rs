@@ -486,7 +486,7 @@ impl Report<'_> {
             SweepUnconfirmed::Refused { at, why } => {
                 format!("at {} the independent solver refuses: {why}", self.place(*at))
             }
-            SweepUnconfirmed::Stuck { at, why } => format!("at {} {why}", self.place(*at)),
+            SweepUnconfirmed::Stuck { at, why, .. } => format!("at {} {why}", self.place(*at)),
             SweepUnconfirmed::Carried(astray) => {
                 let unit = if astray.name.starts_with("angle") {
                     &self.scene.units.angle
