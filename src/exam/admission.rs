@@ -5,12 +5,12 @@ use super::answer::{self, KeyAnswer, Worth};
 use super::measured::Measured;
 use super::{ExamError, Flaw, Loose, Terms, Variant};
 use crate::check::confirm;
-use crate::graphical::DrawError;
 use crate::graphical::construction::{
     Act, Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found, Reading,
 };
+use crate::graphical::{self, DrawError};
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
-use crate::mechanism::{LinkId, Mechanism, Place, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
 use crate::sheet::{self, Figure, Language};
@@ -268,21 +268,8 @@ fn places(mechanism: &Mechanism, construction: &Construction) -> Places {
     let space = &construction.space;
     let drawn: Places =
         space.places.iter().map(|at| at.map(|at| at.map(|mm| mm * space.metres_per_mm))).collect();
-    let origin = world_origin(mechanism, construction);
+    let origin = graphical::origin(mechanism);
     drawn.into_iter().map(|at| at.map(|at| [0, 1].map(|k| at[k] + origin[k]))).collect()
-}
-
-/// Where the skeleton's own origin lies in the world, metres.
-fn world_origin(mechanism: &Mechanism, construction: &Construction) -> [f64; 2] {
-    let space = &construction.space;
-    let known = |fixed: bool| {
-        mechanism.points.iter().zip(&space.places).find_map(|(point, drawn)| {
-            let exact = point.place.exact().filter(|_| !fixed || matches!(point.place, Place::Fixed(_)))?;
-            let drawn = (*drawn)?;
-            Some([0, 1].map(|k| exact[k].value - drawn[k] * space.metres_per_mm))
-        })
-    };
-    known(true).or_else(|| known(false)).unwrap_or([0.0; 2])
 }
 
 /// Width or height of all points, whichever is larger.
@@ -308,7 +295,7 @@ fn far_centres(scene: &Scene, construction: &Construction) -> Vec<bool> {
             most - least
         })
     };
-    let origin = world_origin(&scene.mechanism, construction);
+    let origin = graphical::origin(&scene.mechanism);
     let far = |(asked, reading): (&Asked, &Reading)| match (asked.quantity, &reading.answer) {
         (Quantity::Centre(..), Answer::Vector { value, .. }) => {
             let [across, up] = box_with([0, 1].map(|k| (value[k] - origin[k]) / space.metres_per_mm));
