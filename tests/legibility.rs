@@ -91,7 +91,7 @@ pub(crate) fn marks(group: &Group) -> impl Iterator<Item = &Mark> {
 }
 
 /// Tail and tip of a drawn vector.
-pub(crate) fn ends(vector: &Group) -> Option<(Point, Point)> {
+fn ends(vector: &Group) -> Option<(Point, Point)> {
     let tail = marks(vector).find_map(|mark| match mark.shape {
         Shape::Line(from, _) if mark.class == "shaft" => Some(from),
         _ => None,

@@ -212,6 +212,13 @@ mod tests {
     use crate::mechanism::{Given, Mechanism, Path, Roll};
     use crate::sweep::Sweep;
 
+    /// A gear that carries a pin.
+    const GEAR: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [50, 0] },
+        "placed": { "A": [0, 15], "P": [50, 22] },
+        "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4", "P"] } },
+        "rolls": [ { "links": [2, 4], "centres": ["O2", "O4"], "radii": [20, 30] } ],
+        "input": { "link": 2, "omega": 1 }, "find": ["x(P)"] }"#;
+
     fn swept(text: &str) -> Sweep {
         let scene = crate::scene::read(text, "wheels.json").unwrap_or_else(|error| panic!("{error}"));
         Sweep::new(&scene.mechanism, None).unwrap_or_else(|error| panic!("{error}"))
@@ -231,16 +238,11 @@ mod tests {
         matches!(confirm_sweep(sweep), Err(SweepUnconfirmed::Carried(_) | SweepUnconfirmed::Number(_)))
     }
 
-    /// A gear that carries a pin: with nothing asked but the place of that pin, the other solver is told where it stands,
+    /// With nothing asked but the place of the gear's pin, the other solver is told where it stands,
     /// and only how it got there tells that the ratio is another.
     #[test]
     fn a_wheel_that_rolls_by_another_ratio_is_found() {
-        let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [50, 0] },
-            "placed": { "A": [0, 15], "P": [50, 22] },
-            "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4", "P"] } },
-            "rolls": [ { "links": [2, 4], "centres": ["O2", "O4"], "radii": [20, 30] } ],
-            "input": { "link": 2, "omega": 1 }, "find": ["x(P)"] }"#;
-        let sweep = swept(text);
+        let sweep = swept(GEAR);
         assert!(sweep.is_carried_along());
         assert!(confirm_sweep(&sweep).is_ok_and(|positions| positions > 4), "{:?}", confirm_sweep(&sweep));
         assert!(is_astray(&sweep.beside(other_radii)));
@@ -275,12 +277,7 @@ mod tests {
     /// Where a wheel has gone on by a whole turn of what it rolls on too many, it leaps.
     #[test]
     fn a_turn_too_many_is_found() {
-        let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [50, 0] },
-            "placed": { "A": [0, 15], "P": [50, 22] },
-            "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4", "P"] } },
-            "rolls": [ { "links": [2, 4], "centres": ["O2", "O4"], "radii": [20, 30] } ],
-            "input": { "link": 2, "omega": 1 }, "find": ["x(P)"] }"#;
-        let mut sweep = swept(text);
+        let mut sweep = swept(GEAR);
         let start = sweep.start;
         let mut leaps = 0;
         for index in 0..sweep.stretches.len() {

@@ -1144,7 +1144,7 @@ impl Teller<'_> {
                 );
             }
             Input::Slide { slide, at, velocity, acceleration } => {
-                let Some(point) = self.rider(*slide) else { return };
+                let Some(point) = self.n.mechanism().rubbing_point(*slide) else { return };
                 if let Some(at) = at {
                     let distance = ("distance", self.length(at.value));
                     let point = ("point", self.n.point(point));
@@ -1211,14 +1211,6 @@ impl Teller<'_> {
     fn second(&self, quantity: Quantity, value: f64, unit: &Unit, senses: bool, parts: &mut Vec<Rich>) {
         if value != 0.0 {
             parts.push(self.equals(self.n.symbol(quantity, false), &self.rate(value, unit, senses)));
-        }
-    }
-
-    fn rider(&self, slide: usize) -> Option<PointId> {
-        let mechanism = self.n.mechanism();
-        match mechanism.slides.get(slide)?.rider {
-            Rider::Pin { point, .. } => Some(point),
-            Rider::Link { link, .. } => mechanism.links.get(link.0)?.points.first().copied(),
         }
     }
 }
