@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::{Ending, Failure, print, progress};
+use super::{Ending, Failure, arguments, print, progress};
 use crate::check::{Outcome, PublishedCheck, SceneCheck};
 use crate::files;
 use crate::parallel;
 use crate::report::{diagnose, short};
 use crate::scene::Scene;
-use crate::solve::Settings;
+use crate::solve::{Arithmetic, Settings};
 
 /// What is told of a scene. Of ten thousand scenes nothing else is kept.
 struct Checked {
@@ -26,12 +26,26 @@ enum Told {
     Json(Value),
 }
 
-pub(super) fn run(
-    paths: &[PathBuf],
-    as_json: bool,
-    tolerance: f64,
-    settings: Settings,
-) -> Result<Ending, Failure> {
+/// What is to be checked.
+#[derive(Debug, clap::Args)]
+pub(super) struct Job {
+    /// Scene files, or folders of them; - for standard input
+    #[arg(required = true)]
+    pub(super) paths: Vec<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(super) json: bool,
+    /// Allowed deviation of published values where the scene states none
+    #[arg(long, value_name = "PERCENT", default_value = "5%", allow_hyphen_values = true, value_parser = arguments::percent)]
+    pub(super) tolerance: f64,
+    /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+    #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = arguments::arithmetic)]
+    pub(super) arith: Arithmetic,
+}
+
+pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    let Job { ref paths, json: as_json, tolerance, arith } = *job;
+    let settings = Settings { arithmetic: arith, ..Settings::default() };
     let scenes = files::scenes_under(paths)?;
     let checked = check_all(&scenes, as_json, tolerance, settings);
     let (count, held) = (checked.len(), checked.iter().filter(|c| c.ok).count());

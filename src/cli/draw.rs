@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::arguments::{self, Against};
 use super::{Ending, Failure, print_bytes, read_scene};
 use crate::check::confirm_sweep;
 use crate::drawing::{self, Kind, NoFigure, Wish, unknown, unknown_figure};
@@ -13,28 +14,73 @@ use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::Scene;
 use crate::sheet::{self, Figure, Language};
-use crate::solve::{Settings, solve_with};
+use crate::solve::{Arithmetic, Settings, solve_with};
 use crate::sweep::Over;
 
 /// What is to be drawn, and where.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// The scene file; - for standard input
     pub(super) scene: PathBuf,
+    /// Where to write; the ending chooses the format (.svg, .png, .pdf, .tex, .json, .html); may be given
+    /// several times: all files are written, or none. Without it the figure goes to standard output
+    #[arg(short, long, value_name = "FILE")]
     pub(super) output: Vec<PathBuf>,
+    /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
+    #[arg(long, value_name = "NAME")]
     pub(super) figure: Vec<String>,
+    /// What to draw: the question without its answers, the solution, or its steps one by one
+    #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
     pub(super) kind: Kind,
+    /// With --as steps: one SVG that plays them, without a script; an HTML page plays by itself, without this option
+    #[arg(long)]
     pub(super) play: bool,
+    /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
+    #[arg(long, value_name = "SIZE")]
     pub(super) paper: Option<String>,
+    /// Language of the sheet: en, ar, ar-x-ajala, fa; of a page several: en,ar,fa
+    #[arg(long, value_name = "LANG")]
     pub(super) lang: Option<String>,
+    /// Resolution of a PNG: 150 where nothing is said
+    #[arg(long, value_name = "DPI", allow_negative_numbers = true)]
     pub(super) dpi: Option<f32>,
-    pub(super) settings: Settings,
+    /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+    #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = arguments::arithmetic)]
+    pub(super) arith: Arithmetic,
+    /// Colours: mono, colour or dark; what the scene says, or mono
+    #[arg(long, value_name = "NAME")]
     pub(super) theme: Option<String>,
+    /// Text of an SVG: embed (with the glyphs that it uses), live (for those who have the typefaces) or outline
+    /// (paths); embed where nothing is said
+    #[arg(long, value_name = "KIND")]
     pub(super) text: Option<String>,
+    /// Format on standard output: svg, png, pdf, tex, json or html
+    #[arg(long, value_name = "FORMAT")]
     pub(super) format: Option<String>,
+    /// Other positions, dashed on the skeleton: places of the input, such as 60,90 or "1 rad,2 rad"
+    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     pub(super) positions: Vec<String>,
+    /// The other assembly, dashed on the skeleton
+    #[arg(long)]
     pub(super) other_assembly: bool,
-    pub(super) over: Over,
+    /// Draw it even where the independent solver does not confirm it, with a note that says so
+    #[arg(long)]
+    pub(super) unchecked: bool,
+    /// Of a page (.html): what moves it, the input or time
+    #[arg(long, value_enum, default_value_t = Against::Input)]
+    pub(super) against: Against,
+    /// Of a page: from this place of the input, in the scene's unit
+    #[arg(long, value_name = "AT", allow_hyphen_values = true)]
     pub(super) from: Option<f64>,
+    /// Of a page: to this place of the input
+    #[arg(long, value_name = "AT", allow_hyphen_values = true)]
     pub(super) to: Option<f64>,
+}
+
+impl Job {
+    fn settings(&self) -> Settings {
+        Settings { arithmetic: self.arith, unchecked: self.unchecked }
+    }
 }
 
 /// Seconds for the course of a page where nothing is said.
@@ -70,7 +116,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         })
         .collect();
     let pages = outputs.contains(&Output::Page);
-    if !pages && (job.over != Over::Input || job.from.is_some() || job.to.is_some()) {
+    if !pages && (job.against.over() != Over::Input || job.from.is_some() || job.to.is_some()) {
         let what = "--against, --from and --to are for a page that moves: end a name in .html";
         return Err(Failure(what.to_owned()));
     }
@@ -103,7 +149,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         kind: job.kind,
         figures: job.figure.clone(),
         language: languages.first().copied(),
-        settings: job.settings,
+        settings: job.settings(),
     };
     let options = render::Options { theme: theme(job, scene)?, lettering, dpi };
     let impossible = |error: NoFigure| match error {
@@ -173,20 +219,20 @@ fn page(job: &Job, scene: &Scene, sheets: Vec<(Language, Figure)>) -> Result<Str
         return Ok(live::question(scene, &options));
     }
     let failed = |error: LiveError| Failure(error.to_string());
-    let solved = solve_with(scene, Extent::WholeSkeleton, &[], job.settings, sheet::scale::for_scene)
+    let solved = solve_with(scene, Extent::WholeSkeleton, &[], job.settings(), sheet::scale::for_scene)
         .map_err(|error| super::failure(scene, &error))?;
-    let unit = super::sweep::unit_of(scene, job.over);
+    let unit = super::sweep::unit_of(scene, job.against.over());
     let range = match (job.from, job.to) {
         (None, None) => None,
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
         _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
     };
-    let live = match Live::of_solved(scene, &solved, job.over, range) {
+    let live = match Live::of_solved(scene, &solved, job.against.over(), range) {
         // A range that is none is the caller's mistake, not the mechanism's.
         Err(error @ LiveError::Sweep(crate::sweep::SweepError::Range(_))) => return Err(failed(error)),
-        // With the scene's own units.
+        // With the scene's own units; where the scene's file lies is no matter of those who read the page.
         Err(LiveError::Sweep(crate::sweep::SweepError::Draw(error))) => {
-            Err(super::failure(scene, &crate::solve::SolveError::Draw(error)).told)
+            Err(crate::report::diagnose(scene, &crate::solve::SolveError::Draw(error)).what)
         }
         Err(error) => Err(error.to_string()),
         Ok(live) => match confirm_sweep(live.sweep()) {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::{Ending, Failure, failure, print, read_scene};
+use super::{Ending, Failure, arguments, failure, print, read_scene};
 use crate::check::NotConfirmed;
 use crate::exam::{self, Bank, ExamError, Loose, Terms, Variant};
 use crate::files;
@@ -26,20 +26,52 @@ const MANIFEST: &str = "exam.json";
 const FOLDERS: [&str; 4] = ["scenes", "questions", "solutions", "answers"];
 
 /// What is to be made, and where.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// The scene file, whose `vary` says what may change
     pub(super) scene: PathBuf,
+    /// How many variants; as many as there are names where it is left out
+    #[arg(long, value_name = "N", required_unless_present = "names")]
     pub(super) variants: Option<usize>,
+    /// A list of names, one a line: names.csv says which variant is whose
+    #[arg(long, value_name = "FILE")]
     pub(super) names: Option<PathBuf>,
+    /// One PDF of all questions, then all solutions, for each language
+    #[arg(long)]
     pub(super) booklet: bool,
+    /// No answer may be off by a larger part of its value; results that a careful hand may miss by more are
+    /// flagged
+    #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = arguments::percent)]
     pub(super) max_tolerance: f64,
+    /// What becomes of answers that a careful hand may miss by more: pass-over (such variants), leave-out (what is
+    /// so in the scene itself is not asked) or ask (the key says which); where nothing is said pass-over, and ask where that
+    /// leaves too few variants
+    #[arg(long, value_name = "WHAT")]
     pub(super) loose: Option<String>,
+    /// The seed: the same seed gives the same variants
+    #[arg(long, value_name = "S", default_value_t = 1)]
     pub(super) seed: u64,
+    /// The folder to write into; a run that was interrupted is taken up again
+    #[arg(short, long, value_name = "DIR")]
     pub(super) output: PathBuf,
+    /// No lines or arcs of a solution cross at a smaller angle
+    #[arg(long, value_name = "ANGLE", default_value = "15deg", value_parser = arguments::crossing)]
     pub(super) flattest: f64,
+    /// The students' hand, by which tolerances are found: slips in millimetres and degrees
+    #[arg(long, value_name = "MM,DEG", default_value = "0.2mm,0.3deg", value_parser = arguments::hand)]
     pub(super) hand: Hand,
+    /// Format of the sheets: svg or pdf
+    #[arg(long, value_name = "FORMAT")]
     pub(super) format: Option<String>,
+    /// Text of SVG sheets and of the banks' figures: outline (paths), embed (with the glyphs that it uses) or live;
+    /// where nothing is said, sheets are outlined and figures of banks embed
+    #[arg(long, value_name = "KIND")]
     pub(super) text: Option<String>,
+    /// Languages: en, ar, ar-x-ajala, fa; several with commas
+    #[arg(long, value_name = "LANG")]
     pub(super) lang: Vec<String>,
+    /// How many variants are worked on at once; all processors where it is left out. It changes nothing else
+    #[arg(long, value_name = "N")]
     pub(super) jobs: Option<usize>,
 }
 

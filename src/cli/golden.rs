@@ -8,20 +8,51 @@ use super::{Ending, Failure, print, progress};
 use crate::files;
 use crate::golden::{GoldenError, Report, Suite, Verdict, html, junit};
 
-/// What is to be looked at.
-pub(super) struct Job {
-    pub(super) folder: PathBuf,
-    pub(super) names: Vec<String>,
+/// What is to be done.
+#[derive(Debug, clap::Subcommand)]
+pub(super) enum Action {
+    /// Draw every scene of a folder and tell what differs from its golden: a changed number from other
+    /// content, and both from a cosmetic change
+    Check(Check),
+    /// Make what is drawn now the goldens
+    Bless(Job),
 }
 
-pub(super) fn check(
-    job: &Job,
-    report: Option<&Path>,
-    xml: Option<&Path>,
-    as_json: bool,
-) -> Result<Ending, Failure> {
+/// What is to be looked at.
+#[derive(Debug, clap::Args)]
+pub(super) struct Job {
+    /// The folder: scenes with their goldens beside them, or goldens with a suite.json
+    folder: PathBuf,
+    /// Only the goldens of these names
+    names: Vec<String>,
+}
+
+/// What is to be compared, and what is written of it.
+#[derive(Debug, clap::Args)]
+pub(super) struct Check {
+    #[command(flatten)]
+    job: Job,
+    /// Write a page that shows expected, actual and difference: one HTML file
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Write the result as JUnit's XML, for the server that runs tests
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(action: &Action) -> Result<Ending, Failure> {
+    match action {
+        Action::Check(wanted) => check(wanted),
+        Action::Bless(job) => bless(job),
+    }
+}
+
+fn check(Check { job, report, junit: xml, json: as_json }: &Check) -> Result<Ending, Failure> {
     let page = |path: &&Path| path.extension().is_some_and(|ending| ending == "html");
-    if let Some(path) = report.filter(|path| !page(path)) {
+    if let Some(path) = report.as_deref().filter(|path| !page(path)) {
         return Err(Failure(format!("{}: the report is a page; end its name in .html", files::shown(path))));
     }
     let suite = job.open()?;
@@ -29,12 +60,12 @@ pub(super) fn check(
     let checked = suite.check(&|| bar.inc(1));
     bar.finish_and_clear();
     let mut all: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    all.extend(report.map(|path| (path.to_owned(), html(&checked).into_bytes())));
-    all.extend(xml.map(|path| (path.to_owned(), junit(&checked).into_bytes())));
+    all.extend(report.iter().map(|path| (path.clone(), html(&checked).into_bytes())));
+    all.extend(xml.iter().map(|path| (path.clone(), junit(&checked).into_bytes())));
     if !all.is_empty() {
         files::write_all(&all)?;
     }
-    let text = if as_json {
+    let text = if *as_json {
         serde_json::to_string_pretty(&told(&checked)).map_err(|error| Failure(error.to_string()))?
     } else {
         format!("{checked}{}", checked.summary())
@@ -52,7 +83,7 @@ pub(super) fn check(
     Ok(if checked.holds() { Ending::Fine } else { Ending::DoesNotHold })
 }
 
-pub(super) fn bless(job: &Job) -> Result<Ending, Failure> {
+fn bless(job: &Job) -> Result<Ending, Failure> {
     let suite = job.open()?;
     let bar = progress(suite.cases().len(), "figures");
     let blessed = suite.bless(&|| bar.inc(1));

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use super::{Ending, Failure, failure, print, progress, read_scene};
+use super::{Ending, Failure, arguments, failure, print, progress, read_scene};
 use crate::files;
 use crate::grade::{self, Allowed, GradeError, GradeSettings, HandIn, Report};
 use crate::parallel;
@@ -15,15 +15,36 @@ use crate::sheet::{Figure, Language};
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// The scene file; - for standard input
     pub(super) scene: PathBuf,
+    /// What was handed in: JSON, CSV or SVG (linkgram schema answers), of one or of a whole class; - for
+    /// standard input. Without any: by how much each answer may be off
     pub(super) answers: Vec<PathBuf>,
+    /// The SVG of the drawing, instead of the one that the answers name
+    #[arg(long, value_name = "FILE")]
     pub(super) drawing: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
     pub(super) json: bool,
+    /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
+    /// 0.2mm,0.3deg where nothing is said, and for the variants of an exam what the exam was made with
+    #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = arguments::hand)]
     pub(super) hand: Option<Hand>,
+    /// No answer may be off by a larger part of the right value; 10% where nothing is said, and for the variants of an exam what the exam was made with
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = arguments::percent)]
     pub(super) max_tolerance: Option<f64>,
+    /// The answers are the examiner's own, such as a textbook's: the `tolerance` that they state counts, uncapped.
+    /// Without this it does not
+    #[arg(long)]
     pub(super) trust_answers: bool,
+    /// Language of the reports: en, ar, ar-x-ajala, fa; that of the scene's sheet where nothing is said
+    #[arg(long, value_name = "LANG")]
     pub(super) lang: Option<String>,
+    /// Where to write the student's polygons over the right ones, every fault circled; the ending chooses the
+    /// format, .html is a page with report and figure. A folder: a page for each, marks.csv and faults.csv
+    #[arg(short, long, value_name = "FILE|DIR")]
     pub(super) output: Option<PathBuf>,
 }
 

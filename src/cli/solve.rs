@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
-use super::{Ending, Failure, failure, print, read_scene};
+use super::{Ending, Failure, arguments, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
 use crate::double_double::DoubleDouble;
 use crate::graphical::construction::Fine;
@@ -16,15 +16,32 @@ use crate::mechanism::quantity::{Answer, Asked, Measure, Method, Nature, Quantit
 use crate::plan::Extent;
 use crate::report::{short, significant, two_digits};
 use crate::scene::{Scene, SheetOptions};
-use crate::solve::{Hand, Settings};
+use crate::solve::{Arithmetic, Hand, Settings};
 
 /// What to solve and how to print it.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// The scene file; - for standard input
     pub(super) scene: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
     pub(super) json: bool,
+    /// Say which steps the asked quantities needed, and which were left out
+    #[arg(long)]
     pub(super) explain: bool,
+    /// What a draughtsman would get whose lengths and readings slip by up to this many millimetres of
+    /// paper, and whose directions by this many degrees
+    #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = arguments::hand)]
     pub(super) hand: Option<Hand>,
-    pub(super) settings: Settings,
+    /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+    #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = arguments::arithmetic)]
+    pub(super) arith: Arithmetic,
+}
+
+impl Job {
+    fn settings(&self) -> Settings {
+        Settings { arithmetic: self.arith, ..Settings::default() }
+    }
 }
 
 /// So many draughtsmen with dice draw for `--hand`.
@@ -37,13 +54,13 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let solved = match job.hand {
         Some(_) => {
             let choose = crate::sheet::scale::for_scene;
-            crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, choose).map(|mut solved| {
+            crate::solve::solve_with(scene, Extent::Asked, &[], job.settings(), choose).map(|mut solved| {
                 let forces = crate::sheet::force_paper(scene, &solved.solution.construction);
                 solved.scales = solved.scales.on(forces);
                 solved
             })
         }
-        None => crate::solve::solve_numbers(scene, job.settings),
+        None => crate::solve::solve_numbers(scene, job.settings()),
     }
     .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));

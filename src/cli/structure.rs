@@ -1,7 +1,7 @@
 //! `linkgram structure`.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
@@ -13,11 +13,21 @@ use crate::plan::Extent;
 use crate::report::short;
 use crate::scene::Scene;
 
-pub(super) fn run(path: &Path, as_json: bool) -> Result<Ending, Failure> {
-    let (file, mut scene) = read_scene(path)?;
+/// What is to be reported.
+#[derive(Debug, clap::Args)]
+pub(super) struct Job {
+    /// The scene file; - for standard input
+    pub(super) scene: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    let (file, mut scene) = read_scene(&job.scene)?;
     let places = pose(&mut scene);
     let report = report(&scene.mechanism, &|point: PointId| places.get(point.0).copied().flatten());
-    let text = if as_json {
+    let text = if job.json {
         serde_json::to_string_pretty(&object(&file, &scene, &report))
             .map_err(|error| Failure(error.to_string()))?
             + "\n"

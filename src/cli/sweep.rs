@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
+use super::arguments::{self, Against};
 use super::reversals::{Reversal, reversals};
 use super::{Ending, Failure, print, read_scene};
 use crate::check::{SweepUnconfirmed, Unconfirmed, confirm, confirm_sweep};
@@ -31,19 +32,55 @@ const MANY: usize = 100_000;
 /// So many are computed between two movements of the bar.
 const PORTION: usize = 50_000;
 
+/// Whether pairs rub.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Rubbing {
+    /// As the scene says.
+    On,
+    /// Nothing rubs.
+    Off,
+}
+
 /// What to sweep and where to write it.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// The scene file; - for standard input
     pub(super) scene: PathBuf,
+    /// Equal steps over the range; one position more than steps
+    #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=i64::from(crate::limits::STEPS)))]
     pub(super) steps: Option<u32>,
+    /// As many positions as it takes for no column to stray from the line between two of them by more
+    /// than this part of its range, except where a column grows without end
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = arguments::straying)]
     pub(super) tolerance: Option<f64>,
+    /// Where to begin, in the scene's unit of the input or of time; a whole turn where nothing is said
+    #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = arguments::place, requires = "to")]
     pub(super) from: Option<f64>,
+    /// Where to end
+    #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = arguments::place, requires = "from")]
     pub(super) to: Option<f64>,
-    pub(super) over: Over,
+    /// What to go over: the first input with the rates as they are, or time, in which every input moves from
+    /// the scene's instant on with constant acceleration
+    #[arg(long, value_enum, default_value_t = Against::Input)]
+    pub(super) against: Against,
+    /// A bound for every number of the tables
+    #[arg(long)]
     pub(super) bounds: bool,
+    /// Writes what the independent solver does not confirm, with a note that says so
+    #[arg(long)]
     pub(super) unchecked: bool,
-    pub(super) rubs: bool,
+    /// Whether pairs rub, in a scene that says how
+    #[arg(long, value_enum, default_value_t = Rubbing::On)]
+    pub(super) friction: Rubbing,
+    /// Only these of the asked quantities, such as v(B),a(D)
+    #[arg(long, value_name = "NAMES")]
     pub(super) only: Option<String>,
+    /// Language of the diagrams: en, ar, ar-x-ajala, fa
+    #[arg(long, value_name = "LANG")]
     pub(super) lang: Option<String>,
+    /// Where to write; the ending chooses what: .csv and .json are tables, .svg, .png, .pdf and .tex diagrams.
+    /// What happens on the way, on stdout, without it
+    #[arg(short, long, value_name = "FILE")]
     pub(super) output: Vec<PathBuf>,
 }
 
@@ -86,7 +123,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if let Some(names) = &job.only {
         choose(&mut scene, names)?;
     }
-    if !job.rubs {
+    if job.friction == Rubbing::Off {
         scene.mechanism.forces.friction = Friction::default();
     }
     let scene = &scene;
@@ -94,7 +131,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         Some(tag) => super::language(tag)?,
         None => crate::drawing::language(scene),
     };
-    let unit = unit_of(scene, job.over);
+    let unit = unit_of(scene, job.against.over());
     let stated = match (job.from, job.to) {
         (None, None) => None,
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
@@ -105,7 +142,8 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if let (true, Some(sheet)) = (scene.mechanism.inputs.is_empty(), cycle) {
         return of_cycle_alone(job, scene, &outputs, sheet, language);
     }
-    let mut sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
+    let mut sweep =
+        Sweep::over(job.against.over(), &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
     let only_diagrams = !outputs.is_empty() && outputs.iter().all(|o| matches!(o, Output::Diagrams(_)));
     if only_diagrams && job.only.is_none() && !asks(scene) {
         // Nobody asked for anything: how the sliders and rockers move, not forty diagrams.
@@ -116,11 +154,12 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             let names = names.join(", ");
             let help = "`find` or --only chooses others";
             let _ = writeln!(io::stderr(), "{file}: the scene asks for nothing; drawn are {names}; {help}");
-            sweep = Sweep::over(job.over, &outputs_only, stated).map_err(|error| refusal(scene, error))?;
+            sweep = Sweep::over(job.against.over(), &outputs_only, stated)
+                .map_err(|error| refusal(scene, error))?;
         }
     }
     let sweep = sweep;
-    let reversals = reversals(&scene.mechanism, &sweep, job.over, stated);
+    let reversals = reversals(&scene.mechanism, &sweep, job.against.over(), stated);
     let mut report =
         Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None, reversals, cycle };
     if let Err(why) = confirm_sweep(&sweep) {
@@ -319,7 +358,7 @@ fn levels_json(scene: &Scene, sheet: &CycleSheet) -> Value {
 
 /// The drawing as a page runs it.
 fn live(job: &Job, scene: &Scene, stated: Option<[f64; 2]>, language: Language) -> Result<Vec<u8>, Failure> {
-    let live = Live::of(scene, job.over, stated).map_err(|error| match error {
+    let live = Live::of(scene, job.against.over(), stated).map_err(|error| match error {
         LiveError::Unsolved(error) => super::failure(scene, &error),
         LiveError::Sweep(error) => refusal(scene, error),
         LiveError::Number(what) => scene.source.complain(Subject::Inputs, what.to_owned(), None).into(),

@@ -14,10 +14,19 @@ use crate::report::diagnose;
 use crate::tradeoff::{Setting, Spread, Tradeoff, Unmeasured, measure};
 
 /// What to measure and where to write it.
+#[derive(Debug, clap::Args)]
 pub(super) struct Job {
+    /// Scene files, or folders of them; - for standard input
+    #[arg(required = true)]
     pub(super) paths: Vec<PathBuf>,
+    /// How often everything is measured
+    #[arg(long, value_name = "N", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     pub(super) passes: u16,
+    /// Print one JSON object
+    #[arg(long)]
     pub(super) json: bool,
+    /// A picture of error over time (.svg, .png or .pdf), besides the table on standard output
+    #[arg(short, long, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 }
 
