@@ -32,8 +32,8 @@ pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use number::TOO_LARGE;
 pub use op::Op;
 pub use program::{
-    Block, Dual, FoundByTrial, LANES, Lane, Law, ListedStep, ListedTrial, Listing, Program, Standing,
-    Transcript, Variable, Wanted, Workspace,
+    Block, Dual, FoundByTrial, LANES, Lane, Law, ListedStep, ListedTrial, Listing, LookedFor, Moving,
+    Program, Standing, Transcript, Variable, Wanted, Workspace,
 };
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Nudge, Operation, PointRecord, Reason, Tape};

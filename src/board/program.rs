@@ -870,6 +870,64 @@ pub struct Program {
     divisors: Vec<(u32, Reason)>,
 }
 
+/// A number of a program that is looked for by itself, by its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LookedFor {
+    /// One of [`Program::asked`].
+    Asked(usize),
+    /// One of [`Program::divisors`].
+    Divisor(usize),
+}
+
+/// The part of a program that leads to some of its numbers. In a long chain that is little of it.
+#[derive(Debug, Clone)]
+pub struct Excerpt<'p, const N: usize> {
+    program: &'p Program,
+    /// Rows and values of the constants that are read.
+    constants: Vec<(u32, f64)>,
+    /// In the order of drawing; `None` where something is tried: a search needs the steps as they stand.
+    steps: Option<Vec<Step>>,
+    /// Where the numbers stand.
+    rows: [u32; N],
+}
+
+/// A number and its derivative by the input, without an error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moving {
+    /// The number.
+    pub value: f64,
+    /// Its derivative by the input.
+    pub slope: f64,
+}
+
+impl<const N: usize> Excerpt<'_, N> {
+    /// Computes the numbers at one position, to the same doubles as [`Program::look`]; but where two arcs just touch, which
+    /// only their errors tell.
+    pub fn look(&self, input: f64, signs: &[f64], place: &mut Workspace) -> [Moving; N] {
+        let Some(steps) = &self.steps else {
+            self.program.look(input, signs, place);
+            return self.rows.map(|row| {
+                let Row { value, slope, .. } = place.rows[row as usize];
+                Moving { value, slope }
+            });
+        };
+        place.looks += 1;
+        let Workspace { values, slopes, .. } = place;
+        // What is read has been written before; what an earlier look left elsewhere is not read.
+        values.resize(self.program.rows as usize, [0.0]);
+        slopes.resize(self.program.rows as usize, [0.0]);
+        (values[0], slopes[0]) = ([input], [1.0]);
+        for &(row, value) in &self.constants {
+            (values[row as usize], slopes[row as usize]) = ([value], [0.0]);
+        }
+        self.program.run_with_slopes(steps, signs, values, slopes);
+        self.rows.map(|row| {
+            let ([value], [slope]) = (values[row as usize], slopes[row as usize]);
+            Moving { value, slope }
+        })
+    }
+}
+
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Dual {
@@ -1210,6 +1268,42 @@ impl Program {
             }
         }
         apart
+    }
+
+    /// The part of it that leads to these numbers.
+    #[must_use]
+    pub fn excerpt<const N: usize>(&self, sought: [LookedFor; N]) -> Excerpt<'_, N> {
+        let rows = sought.map(|number| match number {
+            LookedFor::Asked(index) => self.asked[index],
+            LookedFor::Divisor(index) => self.divisors[index].0,
+        });
+        // From the end to the beginning: a row may have held other numbers before.
+        let mut is_read = vec![false; self.rows as usize];
+        for row in rows {
+            is_read[row as usize] = true;
+        }
+        let steps = (!self.tries()).then(|| {
+            let mut steps = Vec::new();
+            for step in self.steps.iter().rev() {
+                let makes_both = step.second != 0 && is_read[step.second as usize];
+                if !makes_both && !is_read[step.to as usize] {
+                    continue;
+                }
+                is_read[step.to as usize] = false;
+                if step.second != 0 {
+                    is_read[step.second as usize] = false;
+                }
+                for &row in &step.from[..step.op.operands()] {
+                    is_read[row as usize] = true;
+                }
+                steps.push(*step);
+            }
+            steps.reverse();
+            steps
+        });
+        let read = self.constants.iter().filter(|(row, ..)| is_read[*row as usize]);
+        let constants = read.map(|&(row, value, _)| (row, value)).collect();
+        Excerpt { program: self, constants, steps, rows }
     }
 
     /// Computes one position, with the derivative of every number by the input and its error. The input counts as

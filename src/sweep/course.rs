@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{InputKind, Measure, Sweep};
-use crate::board::{Dual, Reason, Standing, Workspace};
+use crate::board::{Dual, LookedFor, Moving, Reason, Standing, Workspace};
 
 /// A range of the input in which the mechanism moves freely in one assembly.
 #[derive(Debug, Clone, PartialEq)]
@@ -228,17 +228,25 @@ impl View {
     fn measured(&self, measure: Measure) -> Dual {
         match measure {
             Measure::Column(column) => self.columns[column],
-            Measure::Magnitude(columns) => {
-                let mut square = Dual::default();
-                for m in columns.map(|column| self.columns[column]) {
-                    square.value += m.value * m.value;
-                    square.slope += 2.0 * m.value * m.slope;
-                    square.error += 2.0 * m.value.abs() * m.error + m.error * m.error;
-                }
-                square
-            }
+            Measure::Magnitude(columns) => square_of(columns.map(|column| self.columns[column])),
         }
     }
+}
+
+/// A number of which nobody asks how far rounding may have put it off.
+fn unrounded(m: Moving) -> Dual {
+    Dual { value: m.value, slope: m.slope, error: 0.0 }
+}
+
+/// The square of a vector's magnitude, from its coordinates.
+fn square_of(coordinates: [Dual; 2]) -> Dual {
+    let mut square = Dual::default();
+    for m in coordinates {
+        square.value += m.value * m.value;
+        square.slope += 2.0 * m.value * m.slope;
+        square.error += 2.0 * m.value.abs() * m.error + m.error * m.error;
+    }
+    square
 }
 
 /// Notes where a number is clear of its error; where it was last so, if it had the other sign there.
@@ -606,7 +614,11 @@ impl Walker<'_> {
         for (index, &divisor) in now.divisors.iter().enumerate() {
             let Some(before) = crossed(&mut self.divisors[index], now.at, divisor) else { continue };
             let (a, b) = (before.1, divisor.value);
-            let at = root(size, before, (now.at, b), |x| self.view(x, signs).divisors[index].value);
+            let alone = self.sweep.transcribed().program.excerpt([LookedFor::Divisor(index)]);
+            let at = root(size, before, (now.at, b), |x| {
+                let [divisor] = alone.look(x, signs, &mut self.place);
+                divisor.value
+            });
             // A pole changes its sign as well, but does not vanish.
             let view = self.view(at, signs);
             let there = view.divisors[index].value.abs();
@@ -623,8 +635,13 @@ impl Walker<'_> {
         let size = self.sweep.size();
         for (centre, &[.., weight]) in now.centres.iter().enumerate() {
             let Some(before) = crossed(&mut self.weights[centre], now.at, weight) else { continue };
-            let at =
-                root(size, before, (now.at, weight.value), |x| self.view(x, signs).centres[centre][2].value);
+            // Reach and weight of the centres stand behind the columns.
+            let weights = self.sweep.columns.len() + 2;
+            let alone = self.sweep.transcribed().program.excerpt([LookedFor::Asked(weights + 3 * centre)]);
+            let at = root(size, before, (now.at, weight.value), |x| {
+                let [weight] = alone.look(x, signs, &mut self.place);
+                weight.value
+            });
             let view = self.view(at, signs);
             let [x, y, left] = view.centres[centre];
             let vanishes = left.value.abs() < before.1.abs().max(weight.value.abs());
@@ -636,8 +653,30 @@ impl Walker<'_> {
         }
     }
 
-    fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
+    /// Where what is measured does not change between two places at which it changes the one way and the other.
+    fn root_of_slope(&mut self, measure: Measure, from: (f64, f64), to: (f64, f64), signs: &[f64]) -> f64 {
+        let (program, columns) = (&self.sweep.transcribed().program, &self.sweep.columns);
         let size = self.sweep.size();
+        match measure {
+            Measure::Column(column) => {
+                let alone = program.excerpt([LookedFor::Asked(column)]);
+                root(size, from, to, |x| {
+                    let [m] = alone.look(x, signs, &mut self.place);
+                    columns[column].counted(unrounded(m)).slope
+                })
+            }
+            Measure::Magnitude([first, second]) => {
+                let alone = program.excerpt([first, second].map(LookedFor::Asked));
+                root(size, from, to, |x| {
+                    let [x, y] = alone.look(x, signs, &mut self.place);
+                    let [x, y] = [x, y].map(unrounded);
+                    square_of([columns[first].counted(x), columns[second].counted(y)]).slope
+                })
+            }
+        }
+    }
+
+    fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
         for &measure in self.sweep.measures() {
             let (a, b) = (before.measured(measure), now.measured(measure));
             if (a.slope < 0.0) == (b.slope < 0.0) {
@@ -648,9 +687,7 @@ impl Walker<'_> {
             if still(a) && still(b) {
                 continue;
             }
-            let at = root(size, (before.at, a.slope), (now.at, b.slope), |x| {
-                self.view(x, signs).measured(measure).slope
-            });
+            let at = self.root_of_slope(measure, (before.at, a.slope), (now.at, b.slope), signs);
             let view = self.view(at, signs);
             let there = view.measured(measure);
             let value = match measure {
@@ -885,4 +922,46 @@ fn wrapped(
     let mut events: Vec<Event> = events.into_iter().map(|e| Event { at: home(e.at), ..e }).collect();
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
     (cut, events)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Sweep;
+    use crate::board::{LookedFor, Workspace};
+    use crate::catalogue::KINDS;
+
+    /// A part of a drawing gives what the whole of it gives, to the last bit.
+    #[test]
+    fn what_is_looked_for_alone_is_what_is_found_with_all() {
+        let mut compared = 0;
+        for kind in KINDS {
+            let scene = crate::scene::read(kind.scene, kind.name).unwrap();
+            let Ok(sweep) = Sweep::new(&scene.mechanism, None) else { continue };
+            let program = &sweep.transcribed().program;
+            let (mut whole, mut part) = (Workspace::default(), Workspace::default());
+            for stretch in &sweep.stretches {
+                for at in [0.13, 0.5, 0.81].map(|t| stretch.from + t * (stretch.to - stretch.from)) {
+                    program.look(at, &stretch.signs, &mut whole);
+                    let asked = program.asked(&whole).enumerate();
+                    let asked = asked.map(|(index, all)| (LookedFor::Asked(index), all));
+                    let divisors = program.divisors(&whole).enumerate();
+                    let divisors = divisors.map(|(index, all)| (LookedFor::Divisor(index), all));
+                    for (sought, all) in asked.chain(divisors) {
+                        let [alone] = program.excerpt([sought]).look(at, &stretch.signs, &mut part);
+                        let bits =
+                            |value: f64| if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
+                        let same =
+                            bits(alone.value) == bits(all.value) && bits(alone.slope) == bits(all.slope);
+                        assert!(
+                            same,
+                            "{} at {at}: {sought:?} is {alone:?} alone, {all:?} with all",
+                            kind.name
+                        );
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        assert!(compared > 3000, "{compared} numbers");
+    }
 }
