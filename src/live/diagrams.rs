@@ -11,7 +11,7 @@ use super::said::{Paper, Printed, TAKEN};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
@@ -972,7 +972,19 @@ fn skeleton(
                 continue;
             }
             if class == "angles" {
+                let stated = inputs_with_an_angle(mechanism).nth(i);
                 for (arc, by) in turns(item, binder) {
+                    let by = match by {
+                        // Only one input is varied: another link that is driven stays turned as far as it is.
+                        Move::Turn(place, _) if stated.map(InputKind::Angle) != Some(sweep.input) => {
+                            if sweep.input == InputKind::Time {
+                                Move::Still
+                            } else {
+                                Move::Whole(Frame::At(place))
+                            }
+                        }
+                        by => by,
+                    };
                     add(&arc, by, None);
                 }
                 continue;
@@ -1143,6 +1155,14 @@ fn riders(mechanism: &Mechanism, link: LinkId) -> Vec<PointId> {
         Rider::Link { link, .. } => mechanism.link(link).points.first().copied(),
     })
     .collect()
+}
+
+/// The links that are driven at a stated angle: of each the sheet draws the angle, in this order.
+fn inputs_with_an_angle(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> + '_ {
+    mechanism.inputs.iter().filter_map(|input| match *input {
+        Input::Angle { link, angle: Some(_), .. } | Input::Speed { link, angle: Some(_), .. } => Some(link),
+        _ => None,
+    })
 }
 
 /// The arc of an angle from the right, and what stands still beside it.

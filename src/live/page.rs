@@ -511,7 +511,11 @@ fn document(
         })
         .collect();
     let still_text = still.map_or(String::new(), |why| {
-        let said = in_each(&languages, |language| escaped(&words::of(language).still.replace("{why}", why)));
+        let said = in_each(&languages, |language| {
+            // Reasons are told in English only: in a line that runs the other way they keep their own direction.
+            let why = format!("<bdi lang=\"en\" dir=\"ltr\">{}</bdi>", escaped(why));
+            escaped(words::of(language).still).replace("{why}", &why)
+        });
         format!("<p class=\"still\" id=\"still\">{said}</p>")
     });
     let data = data.map_or(String::new(), |data| {

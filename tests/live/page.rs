@@ -281,3 +281,45 @@ fn panels_of_a_page_are_figures_of_a_sheet() {
     assert!(missing.is_empty(), "neither in `panels` nor told to be of sheets alone: {missing:?}");
     assert_eq!(panels.len() + of_sheets_alone.len(), figures.len());
 }
+
+/// A crank and a second link that is driven at another angle.
+fn two_cranks() -> Scene {
+    common::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O": [0, 0], "E": [160, 0] },
+            "links": { "2": { "joins": ["O", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 110 },
+                       "4": { "joins": ["B", "D"], "length": 90 }, "5": { "joins": ["E", "D"], "length": 30 } },
+            "near": { "B": [90, 90] },
+            "inputs": [{ "link": 2, "angle": 50, "omega": 3 }, { "link": 5, "angle": 60, "omega": 1 }],
+            "find": ["v(B)"] }"#,
+    )
+}
+
+#[test]
+fn the_angle_of_a_second_input_stays_as_it_is() {
+    let scene = two_cranks();
+    let solved = solved(&scene);
+    let live = Live::of_solved(&scene, &solved, Over::Input, None).unwrap();
+    let (page, _) = live::page(&scene, &solved, Ok(&live), &options(&scene, Kind::Solution)).unwrap();
+    let data: Value = serde_json::from_str(between(&page, "id=\"linkgram-live\">", "</script>")).unwrap();
+    let ink = data["ink"].as_array().unwrap();
+    let turned = ink.iter().filter(|ink| ink["move"] == "turn").count();
+    assert_eq!(turned, 1, "only the angle that is varied opens with the input");
+}
+
+#[test]
+fn a_page_that_stands_still_says_why_and_not_where_its_scene_lies() {
+    let scene = scene_of("rolling-wheel", "/home/author/exam/wheel.json");
+    let solved = solved(&scene);
+    let why = "a reason".to_owned();
+    let sheets = vec![(Language::from_tag("ar").unwrap(), {
+        let wish = Wish { language: Language::from_tag("ar"), ..Wish::default() };
+        drawing::figure(&scene, &wish).unwrap()
+    })];
+    let (page, _) = live::page(&scene, &solved, Err(why), &Options { sheets, seconds: 6.0 }).unwrap();
+    assert!(page.contains("<bdi lang=\"en\" dir=\"ltr\">a reason</bdi>"));
+    assert!(!page.contains("/home/author"));
+}
+
+fn scene_of(name: &str, file: &str) -> Scene {
+    linkgram::scene::read(kind(name), file).unwrap()
+}

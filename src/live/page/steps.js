@@ -161,8 +161,8 @@ function showsSteps(page, light) {
     const lines = said.sentences.map((/** @type {any} */ text) => living(make('li'), text));
     for (const { element, text } of texts.slice(own.length)) {
       const here = textHere(text);
-      if (!here) element.remove();
-      else setRich(element, here);
+      // A line that is empty here is left out below; an empty cell of a table keeps its column.
+      if (here) setRich(element, here);
     }
     texts = own;
     setRich(head, said.head);
@@ -217,9 +217,6 @@ function showsSteps(page, light) {
       const said = textHere(one.text);
       if (said === null) left += 1;
       setRich(one.element, said === null ? '…' : said);
-      // An empty cell of a table keeps its column.
-      const gone = said === '' && one.element.tagName === 'LI';
-      if (one.element.hidden !== gone) one.element.hidden = gone;
     }
     setText(note, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
     for (const { quantity, value, sense } of values) {

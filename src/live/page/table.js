@@ -11,7 +11,7 @@ function showsValues(page, light) {
     const row = make('tr', { 'data-quantity': quantity.name }, ...[name, value, sense, paper].map((one) => make('td', {}, one)));
     body.append(row);
     light.listen(row, quantity.name);
-    on(name, 'click', () => light.pin(quantity.name));
+    on(row, 'click', () => light.pin(quantity.name));
     const panel = page.panels.find((/** @type {Panel} */ one) => one.ink.some((ink) => ink.move === 'vector' && ink.quantity === quantity.name));
     return { quantity, name, value, sense, paper, panel };
   });
