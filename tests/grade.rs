@@ -5,7 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
+use linkgram::drawing::{self, Wish};
 use linkgram::grade::{GradeSettings, Kind, Report, Verdict, grade, read_answers};
+use linkgram::render::{Format, Options, render};
 use linkgram::scene::{self, Scene};
 use serde_json::{Value, json};
 
@@ -290,6 +292,37 @@ fn a_drawing_of_a_vector_editor_is_read() {
     let answers = read_answers(&read("golden/s000-ch3a-1.svg"), &scene).unwrap();
     let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
     assert!(report.quantities.len() > 12 && report.holds(), "{}", report.to_text());
+}
+
+/// A sheet of this program names its points itself, whatever stands beside them, and says at which scale it is drawn.
+#[test]
+fn every_sheet_of_this_program_is_read_back_whole() {
+    let (mut sheets, mut points) = (0, 0);
+    for kind in linkgram::catalogue::KINDS {
+        let scene = scene::read(kind.scene, kind.name).unwrap();
+        for paper in ["A4", "A6 landscape"] {
+            let mut stated: Value = serde_json::from_str(kind.scene).unwrap();
+            stated["sheet"]["paper"] = paper.into();
+            let drawn = scene::read(&stated.to_string(), kind.name).unwrap();
+            // Not every mechanism has room on a small sheet.
+            let Ok(figure) = drawing::figure(&drawn, &Wish::default()) else { continue };
+            let svg = render(&figure, Format::Svg, &Options::default()).unwrap();
+            let svg = String::from_utf8(svg).unwrap();
+            let answers = match read_answers(&svg, &scene) {
+                Ok(answers) => answers,
+                Err(why) => panic!("{} on {paper}: {why}", kind.name),
+            };
+            // A skeleton alone may ask for nothing that is drawn.
+            let report = match grade(&scene, &answers, &GradeSettings::default()) {
+                Ok(report) => report,
+                Err(why) => panic!("{} on {paper}: {why}", kind.name),
+            };
+            assert!(report.holds(), "{} on {paper}: {}", kind.name, report.to_text());
+            sheets += 1;
+            points += report.quantities.len();
+        }
+    }
+    assert!(sheets > 80 && points > 600, "{sheets} sheets with {points} points");
 }
 
 #[test]

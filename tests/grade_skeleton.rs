@@ -568,3 +568,15 @@ fn lines_of_centres_of_an_exam_cross_clearly() {
         }
     }
 }
+
+/// Points that all stand at one place have no direction: nothing says how their sheet lies.
+#[test]
+fn a_skeleton_on_one_spot_is_not_turned() {
+    let scene = linkgram::scene::read(include_str!("../examples/s000-ch3a-1.json"), "scene.json").unwrap();
+    let names = ["O2", "O4", "A", "B", "C", "D"];
+    let spot: serde_json::Map<String, Value> =
+        names.iter().map(|name| ((*name).to_owned(), json!([0, 0]))).collect();
+    let report = graded(&scene, &json!({ "points": { "skeleton": spot } }));
+    let text = report.to_text();
+    assert!(!report.holds() && !text.contains("turned"), "{text}");
+}

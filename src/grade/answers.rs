@@ -137,6 +137,12 @@ impl StatedScales {
         self.0[dimension as usize]
     }
 
+    /// Takes the scale that a figure says of itself, where the answers state none for it.
+    pub(super) fn tell(&mut self, order: Order, si_per_mm: Option<f64>) {
+        let known = &mut self.0[order.dimension() as usize];
+        *known = known.or(si_per_mm);
+    }
+
     /// Newtons per millimetre of the force polygons, where it is stated.
     #[must_use]
     pub const fn force(&self) -> Option<f64> {
@@ -184,7 +190,7 @@ impl Answers {
         let figures = super::drawing::points(svg, scene).map_err(|fault| fault.locate(file, svg, None))?;
         // What is wrong with a point of the drawing is told at the key that names the drawing.
         let at = self.drawing_at;
-        for mut figure in figures {
+        for (mut figure, scale) in figures {
             if self.figures.iter().any(|known| known.order == figure.order) {
                 let what = "the points of one figure stand in `points` and in the drawing";
                 return Err(self.complain(at, what, Some("keep one of the two".to_owned())));
@@ -193,6 +199,7 @@ impl Answers {
                 return Err(self.complain(at, WITHOUT_SCALE, None));
             }
             figure.points.iter_mut().for_each(|(.., place)| *place = at);
+            self.scales.tell(figure.order, scale);
             self.figures.push(figure);
         }
         Ok(())

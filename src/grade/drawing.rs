@@ -5,6 +5,8 @@
 //! letters claim, two marks as near, none within reach) is told, never guessed. Which figure a letter belongs to is told
 //! by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`), and without layers by its
 //! spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
+//!
+//! A figure of one of this program's own sheets or pages names its points itself, and its scale.
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -89,14 +91,18 @@ struct Mark {
 
 /// Reads the points of a drawing into the answers.
 pub(super) fn read(svg: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
-    for figure in points(svg, scene)? {
+    for (figure, scale) in points(svg, scene)? {
+        answers.scales.tell(figure.order, scale);
         answers.figures.push(figure);
     }
     Ok(answers)
 }
 
+/// The points of a figure, and its scale in SI units per millimetre where it says that itself.
+pub(super) type Figure = (FigurePoints, Option<f64>);
+
 /// The points of a drawing by figure, millimetres, y up.
-pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
+pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
     weigh(svg)?;
     // A vector editor declares the addresses of its namespaces in the document type; nothing that it names is opened.
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
@@ -110,23 +116,29 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
     if root.tag_name().name() != "svg" {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
-    let (marks, letters) = read_all(root, &Names::new(scene))?;
+    let (marks, letters, own) = read_all(root, &Names::new(scene))?;
     let leaders = marks.leaders.clone();
     let marks = marks.gathered();
-    let mut figures: Vec<FigurePoints> = Vec::new();
+    let mut figures: Vec<Figure> = own.into_iter().map(|own| (own.points, Some(own.si_per_mm))).collect();
+    let told: Vec<Order> = figures.iter().map(|(figure, _)| figure.order).collect();
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
     let mut shared: Vec<(usize, String, String)> = Vec::new();
     for (letter, (mark, rival)) in matched(letters, &marks, &leaders)? {
+        // What is written beside a figure that names its points is no second one.
+        if told.contains(&letter.order) {
+            continue;
+        }
         let place = [mark.x, -mark.y];
-        let index = figures.iter().position(|f| f.order == letter.order).unwrap_or_else(|| {
-            figures.push(FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() });
+        let index = figures.iter().position(|(f, _)| f.order == letter.order).unwrap_or_else(|| {
+            let figure = FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() };
+            figures.push((figure, None));
             figures.len() - 1
         });
         shared.extend(rival.map(|rival| (index, letter.text().to_owned(), rival)));
         for name in letter.names {
             match named.entry((index, name)) {
                 Entry::Vacant(free) => {
-                    figures[index].points.push((free.key().1.clone(), place, letter.at));
+                    figures[index].0.points.push((free.key().1.clone(), place, letter.at));
                     free.insert(place);
                 }
                 Entry::Occupied(taken) if *taken.get() != place => {
@@ -138,10 +150,10 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
         }
     }
     for (index, one, other) in shared {
-        let points = &figures[index].points;
+        let points = &figures[index].0.points;
         let of = |name: &str| points.iter().position(|(known, ..)| known == name);
         if let (Some(one), Some(other)) = (of(&one), of(&other)) {
-            figures[index].shared.push([one, other]);
+            figures[index].0.shared.push([one, other]);
         }
     }
     if figures.is_empty() {
@@ -351,9 +363,61 @@ impl Around {
 const NOT_DRAWN: [&str; 9] =
     ["defs", "marker", "symbol", "clipPath", "mask", "pattern", "metadata", "title", "desc"];
 
-/// All marks, and the letters that name points.
-fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> {
+/// A figure that names its points itself.
+struct Own {
+    points: FigurePoints,
+    si_per_mm: f64,
+}
+
+impl Own {
+    /// What a sheet of this program says of a figure: which it is, and its scale.
+    fn begun(node: Node<'_, '_>) -> Option<Self> {
+        let scale = node.attribute("data-si-per-mm")?.parse::<f64>().ok();
+        let si_per_mm = scale.filter(|scale| scale.is_finite() && *scale > 0.0)?;
+        let points = FigurePoints { order: layer(node)?, points: Vec::new(), shared: Vec::new() };
+        Some(Self { points, si_per_mm })
+    }
+
+    /// The points that stand in a figure: each a group that says its name, with a dot or a ring.
+    fn find(&mut self, figure: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<()> {
+        let mut open = vec![(figure, around)];
+        while let Some((node, around)) = open.pop() {
+            if ["joint", "image"].iter().any(|class| is_of(node, class)) {
+                self.take(node, around, names)?;
+                continue;
+            }
+            for child in node.children().filter(|child| child.tag_name().name() == "g") {
+                if !is_of(child, "detail") {
+                    open.push((child, around.within(child)?));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, node: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<()> {
+        let pole = is_of(node, "pole").then_some("o");
+        let said = node.attribute("data-point").or(pole);
+        let ring = node.children().find(|child| child.tag_name().name() == "circle");
+        let (Some(said), Some(ring), false) = (said, ring, around.hidden) else { return Ok(()) };
+        let Some((name, _)) = named(&plain(said, names), Some(self.points.order), names) else {
+            return Ok(());
+        };
+        let within = around.within(ring)?;
+        let [x, y] = [length(ring, "cx")?, length(ring, "cy")?].map(Option::unwrap_or_default);
+        let at = within.onto * Point::new(x, y);
+        let is_known = self.points.points.iter().any(|(known, ..)| *known == name);
+        if at.is_finite() && !within.hidden && !is_known {
+            self.points.points.push((name, [at.x, -at.y], node.range().start));
+        }
+        Ok(())
+    }
+}
+
+/// All marks, the letters that name points, and the figures that name their points themselves.
+fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>, Vec<Own>)> {
     let (mut marks, mut letters) = (Marks::default(), Vec::new());
+    let mut own: Vec<Own> = Vec::new();
     let page = Around {
         onto: to_mm(root)?,
         layer: None,
@@ -373,6 +437,15 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
             continue;
         }
         let around = around.within(node)?;
+        if let Some(mut figure) = Own::begun(node) {
+            figure.find(node, around, names)?;
+            // Of a figure that stands twice, as in a sheet of steps, the last is the whole one.
+            if !figure.points.points.is_empty() {
+                own.retain(|known| known.points.order != figure.points.order);
+                own.push(figure);
+                continue;
+            }
+        }
         match node.tag_name().name() {
             "style" => still(node)?,
             _ if around.hidden => {}
@@ -397,7 +470,7 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
         let children = node.children().rev().filter(|child| child.is_element() && !marks_nothing(child));
         open.extend(children.map(|child| (child, around)));
     }
-    Ok((marks, letters))
+    Ok((marks, letters, own))
 }
 
 /// Groups of a sheet that hold lines of text.

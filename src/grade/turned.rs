@@ -147,7 +147,8 @@ fn laid_down(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> 
     Some(angle(along(to, there) - along(from, second)))
 }
 
-/// Two fixed points as a student has them, with their right places.
+/// Two fixed points as a student has them, with their right places; `None` where they stand so near to each other that they
+/// tell neither a turn nor a scale.
 fn two_fixed(
     mechanism: &Mechanism,
     right: &Construction,
@@ -157,7 +158,9 @@ fn two_fixed(
         Target::Place(point) if mechanism.is_fixed(*point) => Some((*at, right.space.places[point.0]?)),
         _ => None,
     });
-    Some([fixed.next()?, fixed.next()?])
+    let two = [fixed.next()?, fixed.next()?];
+    let [([x, y], _), ([u, v], _)] = two;
+    (size(&[u - x, v - y]) > SHORT).then_some(two)
 }
 
 fn pairs(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<Vec<Pair>> {
