@@ -587,6 +587,14 @@ impl Wanted<'_> {
         for pair in mechanism.rubbing_pairs() {
             self.rubbing(pair, &links);
         }
+        // By how the sleeve would slide it is told in which senses all else moves once it is about to.
+        if matches!(share, Share::Rising | Share::Falling)
+            && !mechanism.forces.friction.is_empty()
+            && let Some(sleeve) = mechanism.sleeve_slide()
+            && let Some(point) = mechanism.rubbing_point(sleeve)
+        {
+            self.point(point, Order::Velocity);
+        }
         self.forces.groups.extend(groups);
         self.forces.links.extend(links);
         if !self.forces.shares.contains(&share) {

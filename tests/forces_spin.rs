@@ -210,6 +210,30 @@ fn a_spring_pulls_whatever_the_sleeve_is_about_to_do() {
     near(found["spin(falling)"][0], speed(575.0));
 }
 
+/// Pins rub in the sense in which the sleeve is about to move, whatever is named as the input of a governor that rests. The force
+/// of the sleeve touches the friction circle of D, the reaction at O its own: C h = F a' ± q √(F² + C²), with a' = 60 ± p.
+#[test]
+fn pins_rub_as_the_sleeve_is_about_to_move() {
+    let [height, arm] = [80.0, 60.0];
+    for input in [r#"{ "slide": 3 }"#, r#"{ "link": 2 }"#] {
+        for [p, q] in [[2.0, 0.0], [0.0, 1.5], [2.0, 1.5]] {
+            let text = hartnell(r#", "drag": 25"#, r#""spin(rising)", "spin(falling)""#).source.text().to_owned();
+            let pins = format!(r#""pins": {{ "D": {{ "circle": {p} }}, "O": {{ "circle": {q} }} }}, "find""#);
+            let text = text.replace(r#"{ "slide": 3 }"#, input).replace(r#""find""#, &pins);
+            let found = answers(&read(&text));
+            let speed = |sense: f64| {
+                let force = (600.0 + sense * 25.0) / 2.0;
+                let arm = arm + sense * p;
+                let root = sense * q * libm::sqrt(height * height + arm * arm - q * q);
+                let centrifugal = force * (arm * height + root) / (height * height - q * q);
+                libm::sqrt(centrifugal / (1.5 * 0.09))
+            };
+            near(found["spin(rising)"][0], speed(1.0));
+            near(found["spin(falling)"][0], speed(-1.0));
+        }
+    }
+}
+
 /// What a governor's range is, in the order in which it is told: r, mm.
 fn parts(scene: &Scene, range: Option<[f64; 2]>) -> Vec<(&'static str, [f64; 2])> {
     let governed = linkgram::solve::governed(&scene.mechanism, range).unwrap().unwrap();
