@@ -144,13 +144,15 @@ pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<As
     let pattern = model.pattern(&model.position, 0)?;
     let rows = model.position.len();
     let found = assemble_by(model, (&pattern, (0..rows).collect()), coarsest, patience);
-    if !matches!(found, Err(AnalyticError::CannotAssemble { .. }))
+    let ambiguous = matches!(found, Err(AnalyticError::Ambiguous { .. }));
+    if !(ambiguous || matches!(found, Err(AnalyticError::CannotAssemble { .. })))
         || model.order_of_position(&pattern, &(0..rows).collect::<Vec<_>>()).spare.is_empty()
     {
         return found;
     }
     // Where places say more than is needed, which equations are kept is told by their form; those may say nothing where the
-    // mechanism stands, as the x of a pin at the end of a level link. Then others are kept.
+    // mechanism stands, as the x of a pin at the end of a level link: within the rooms of the places it may be met nowhere,
+    // or twice. Then others are kept.
     let mut by_axis: Vec<usize> = (0..rows).collect();
     by_axis.sort_by_key(|row| match model.position[*row] {
         Row::Coincide(_, _, axis) => 2 - 2 * axis.min(1),
@@ -159,7 +161,11 @@ pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<As
     [(0..rows).rev().collect(), by_axis]
         .into_iter()
         .map(|sequence| assemble_by(model, (&pattern, sequence), coarsest, patience))
-        .find(|other| matches!(other, Ok(_) | Err(AnalyticError::Ambiguous { .. })))
+        .find(|other| match other {
+            Ok(_) => true,
+            Err(AnalyticError::Ambiguous { .. }) => !ambiguous,
+            Err(_) => false,
+        })
         .unwrap_or(found)
 }
 
