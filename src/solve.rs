@@ -599,7 +599,7 @@ pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
 pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
     let mechanism = &scene.mechanism;
     let Some(cycle) = &mechanism.forces.cycle else {
-        return analytic::solve_for(mechanism, quantities);
+        return analytic::solve_what_closes(mechanism, quantities);
     };
     let turned = turned(mechanism, cycle);
     let at = |angle: f64| turned.as_ref().and_then(|turned| turned.sweep.mechanism_at(turned.place(angle)));

@@ -46,6 +46,8 @@ const ENOUGH_STARTS: usize = 16;
 const ENOUGH_TIMES: usize = 5;
 /// Every third start is as far from the hints as this, in mechanism sizes, the others to one or two thirds beyond.
 const FARTHEST_START: f64 = 1.5;
+/// Of a hint that is farther than this from what is known, in mechanism sizes, only the first start is made.
+const FARTHEST_HINT: f64 = 2.0;
 /// Newton's own steps at the end.
 const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
@@ -597,17 +599,30 @@ impl<'a> Assembler<'a> {
         })
     }
 
-    /// The place of a point as far as it is known before this group, or hinted.
-    fn guess(&self, point: PointId, group: usize, pose: &[f64]) -> Option<[f64; 2]> {
+    /// The place of a point as far as it is known before this group.
+    fn known(&self, point: PointId, group: usize, pose: &[f64]) -> Option<[f64; 2]> {
         if let Some(place) = self.model.places[point.0] {
             return Some(place.map(|c| self.value(c)));
         }
         let solved = self.model.sites[point.0].iter().find(|s| s.body == 0 || self.ready[s.body] < group);
-        match (solved, self.model.mechanism.points[point.0].place) {
-            (Some(site), _) => Some(self.world(site, pose)),
+        solved.map(|site| self.world(site, pose))
+    }
+
+    /// The place of a point as far as it is known before this group, or hinted.
+    fn guess(&self, point: PointId, group: usize, pose: &[f64]) -> Option<[f64; 2]> {
+        match (self.known(point, group, pose), self.model.mechanism.points[point.0].place) {
+            (Some(at), _) => Some(at),
             (None, Place::Near(near)) => Some(self.model.scaled(near)),
             _ => None,
         }
+    }
+
+    /// In the middle of the points of these bodies that are known before a group.
+    fn middle(&self, bodies: &[usize], group: usize, pose: &[f64]) -> Option<[f64; 2]> {
+        let points = bodies.iter().flat_map(|body| &self.points_of[*body]);
+        let known: Vec<[f64; 2]> = points.filter_map(|(point, _)| self.known(*point, group, pose)).collect();
+        let mean = |axis: usize| known.iter().map(|at| at[axis]).sum::<f64>() / known.len() as f64;
+        (!known.is_empty()).then(|| [mean(0), mean(1)])
     }
 
     /// Writes the start of this number into the unknowns of a group: the hints first, then angles and
@@ -630,12 +645,24 @@ impl<'a> Assembler<'a> {
         let group = &self.groups[index];
         let mut bodies: Vec<usize> = group.columns.iter().map(|c| c / 3).collect();
         bodies.dedup();
+        // A hint far off chooses among assemblies; around it there is none to be found.
+        let middle = if start == 0 { None } else { self.middle(&bodies, index, pose) };
+        let nearer = |at: [f64; 2]| match middle {
+            Some(middle) => {
+                let away = [0, 1].map(|axis| at[axis] - middle[axis]);
+                let part = (FARTHEST_HINT / libm::hypot(away[0], away[1])).min(1.0);
+                [0, 1].map(|axis| middle[axis] + part * away[axis])
+            }
+            None => at,
+        };
         let mut k = 0;
         for body in bodies {
             let hints: Vec<([f64; 2], [f64; 2])> = self.points_of[body]
                 .iter()
                 .filter_map(|(point, site)| {
-                    Some((site.own.map(|c| self.value(c)), self.guess(*point, index, pose)?))
+                    let known = self.known(*point, index, pose);
+                    let at = known.or_else(|| self.guess(*point, index, pose).map(nearer))?;
+                    Some((site.own.map(|c| self.value(c)), at))
                 })
                 .collect();
             let mine = |axis: usize| {

@@ -134,6 +134,47 @@ pub fn solve_for(mechanism: &Mechanism, quantities: &[Quantity]) -> Result<State
     State::new(mechanism, order, 0.0, Some(quantities))
 }
 
+/// Tries to tell the quantities that stand from those that do not are no more.
+const MOST_TRIES: usize = 64;
+
+/// As [`solve_for`]; where links do not come together on which some of the quantities hang, the others are solved, and
+/// [`State::refused`] says what was not. A later dyad just at the end of its reach misses it by a rounding.
+///
+/// # Errors
+/// See [`solve_for`]; that links cannot be assembled only where every quantity hangs on them.
+pub fn solve_what_closes(mechanism: &Mechanism, quantities: &[Quantity]) -> Result<State, AnalyticError> {
+    match solve_for(mechanism, quantities) {
+        Err(error @ AnalyticError::CannotAssemble { .. }) => {
+            let mut closing = Vec::new();
+            let mut tries = MOST_TRIES;
+            closing_among(mechanism, quantities, &mut closing, &mut tries);
+            if closing.is_empty() {
+                return Err(error);
+            }
+            let mut state = solve_for(mechanism, &closing)?;
+            state.refused = Some(error);
+            Ok(state)
+        }
+        found => found,
+    }
+}
+
+/// Those of some quantities, which do not stand together, that stand; by halves, as long as there are tries left.
+fn closing_among(mechanism: &Mechanism, of: &[Quantity], closing: &mut Vec<Quantity>, tries: &mut usize) {
+    let (first, second) = of.split_at(of.len() / 2);
+    for half in [first, second] {
+        if half.is_empty() || half.len() == of.len() || *tries == 0 {
+            continue;
+        }
+        *tries -= 1;
+        if solve_for(mechanism, half).is_ok() {
+            closing.extend_from_slice(half);
+        } else {
+            closing_among(mechanism, half, closing, tries);
+        }
+    }
+}
+
 /// As [`solve_for`], with the turning-moment diagram: `standing` gives the mechanism at other angles of its input.
 ///
 /// # Errors

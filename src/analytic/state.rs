@@ -62,6 +62,8 @@ pub struct State {
     pub(super) stuck: Option<Indeterminate>,
     /// The bodies at which pairs rub that do not move.
     pub(super) resting: Vec<usize>,
+    /// Why some of the quantities were not solved for.
+    pub(super) refused: Option<AnalyticError>,
 }
 
 /// A number in scaled units with its bound.
@@ -129,6 +131,7 @@ impl State {
             pulls: Vec::new(),
             stuck: None,
             resting: Vec::new(),
+            refused: None,
         };
         if order >= Order::Velocity {
             let (model, located) = (&state.model, &mut state.located);
@@ -261,6 +264,12 @@ impl State {
             }
         };
         Ok((balance, stuck))
+    }
+
+    /// Why some of the quantities were not solved for, where it was so: of these there is no answer.
+    #[must_use]
+    pub fn refused(&self) -> Option<&AnalyticError> {
+        self.refused.as_ref()
     }
 
     /// Why friction leaves no force of a pair, where it does.

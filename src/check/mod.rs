@@ -195,11 +195,17 @@ fn agreement_by(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
             Compared { asked: asked.clone(), graphical: reading.clone(), analytic, difference }
         })
         .collect();
+    // Of what does not come together for the one solver the other may have no number either.
+    let alone = |compared: &Compared| {
+        matches!(compared.analytic, Answer::Indeterminate(_))
+            && !matches!(compared.graphical.answer, Answer::Indeterminate(_))
+    };
+    let refused = state.refused().filter(|_| compared.iter().any(alone)).map(ToString::to_string);
     Agreement {
         compared,
         elsewhere: elsewhere(scene, solved, state),
         lines: other_lines(scene, solved, state),
-        refused: None,
+        refused,
         power: state.power(),
     }
 }
