@@ -602,7 +602,7 @@ pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<
         return analytic::solve_what_closes(mechanism, quantities);
     };
     let turned = turned(mechanism, cycle);
-    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.sweep.mechanism_at(turned.place(angle)));
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.sweep.marked_at(turned.place(angle)));
     let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
     analytic::solve_cycle(mechanism, quantities, standing)
 }

@@ -79,6 +79,7 @@ mod stated;
 mod statements;
 mod structure;
 mod sweep;
+mod sweep_assemblies;
 mod sweep_trials;
 mod tapes;
 mod the_drawing_is_the_computation;

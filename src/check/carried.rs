@@ -5,6 +5,7 @@
 //! compared each of them moves by the input as the independent solver has it move.
 
 use crate::analytic;
+use crate::board::Dual;
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Answer, Quantity};
 use crate::sweep::{Skeleton, Stretch, Sweep};
@@ -23,6 +24,12 @@ const LEAP: f64 = 1e-3;
 /// An interval over which it strays is halved so often before it leaps there: what ends in a limit goes as a root, and is
 /// smooth to [`SMOOTH`] by then.
 const MOST_HALVINGS: u32 = 48;
+
+/// An error of a sweep is an estimate: a place, and what its slope promises, is known within so many of them.
+const ERRORS: f64 = 64.0;
+
+/// Along one stretch an interval is halved so often at most: more often only where rounding says nothing.
+const ALL_HALVINGS: u32 = 4096;
 
 /// So much of the fastest velocity may be lost in a derivative.
 const LOST: f64 = 1e-6;
@@ -47,6 +54,8 @@ pub struct CarriedAstray {
 struct Followed {
     value: f64,
     slope: f64,
+    /// How far the value may be off by rounding: much, where lines that find it are one for a moment.
+    error: f64,
     size: f64,
 }
 
@@ -54,7 +63,11 @@ struct Followed {
 fn followed(skeleton: &Skeleton, size: f64) -> Vec<Followed> {
     let places = skeleton.points.iter().flat_map(|(_, at)| at.map(|m| (m, size)));
     let angles = skeleton.turned.iter().map(|(_, by)| (*by, 1.0));
-    places.chain(angles).map(|(m, size)| Followed { value: m.value, slope: m.slope, size }).collect()
+    let followed = |(m, size): (Dual, f64)| {
+        let error = if m.error.is_finite() { ERRORS * m.error } else { 0.0 };
+        Followed { value: m.value, slope: m.slope, error, size }
+    };
+    places.chain(angles).map(followed).collect()
 }
 
 fn name_of(mechanism: &Mechanism, skeleton: &Skeleton, index: usize) -> String {
@@ -80,7 +93,7 @@ fn size_of(skeleton: &Skeleton) -> f64 {
 
 /// Follows all places along the stretches that are reached without taking the mechanism apart.
 pub(super) fn nothing_leaps(sweep: &Sweep) -> Result<(), SweepUnconfirmed> {
-    let Some(mechanism) = &sweep.mechanism_at(sweep.start) else { return Ok(()) };
+    let Some(mechanism) = &sweep.marked_at(sweep.start) else { return Ok(()) };
     let mut before: Option<&Stretch> = None;
     for stretch in sweep.stretches.iter().filter(|stretch| !stretch.apart) {
         if let Some(before) = before
@@ -105,7 +118,7 @@ fn seam(
     let size = size_of(&first);
     for (index, (a, b)) in followed(&last, size).iter().zip(&followed(&first, size)).enumerate() {
         let by = b.value - a.value;
-        if by.abs() > SMOOTH * a.size {
+        if by.abs() > SMOOTH * a.size + a.error + b.error {
             let name = name_of(mechanism, &first, index);
             let astray = CarriedAstray { name, at, swept: by, analytic: 0.0, leaps: true };
             return Err(SweepUnconfirmed::Carried(astray));
@@ -123,10 +136,11 @@ fn along(sweep: &Sweep, mechanism: &Mechanism, stretch: &Stretch) -> Result<(), 
     let size = size_of(&begins);
     let look = |at: f64| (at, followed(&sweep.skeleton_in(stretch, at), size));
     let (mut from, mut part) = (look(stretch.from), 1.0);
+    let mut all = ALL_HALVINGS;
     while part <= parts {
         let to = look(if part < parts { stretch.from + way * (part / parts) } else { stretch.to });
         let middle = look(f64::midpoint(from.0, to.0));
-        if let Some((at, by, index)) = leap(&look, [&from, &middle, &to], MOST_HALVINGS) {
+        if let Some((at, by, index)) = leap(&look, [&from, &middle, &to], (MOST_HALVINGS, &mut all)) {
             let name = name_of(mechanism, &begins, index);
             let astray = CarriedAstray { name, at, swept: by, analytic: 0.0, leaps: true };
             return Err(SweepUnconfirmed::Carried(astray));
@@ -140,23 +154,36 @@ type Look = (f64, Vec<Followed>);
 
 /// Where a number leaps between two places, by how much, and which: its change is not what its slopes come to (Simpson's
 /// rule), however near together they are taken.
-fn leap(look: &impl Fn(f64) -> Look, [from, middle, to]: [&Look; 3], left: u32) -> Option<(f64, f64, usize)> {
+fn leap(
+    look: &impl Fn(f64) -> Look,
+    [from, middle, to]: [&Look; 3],
+    (left, all): (u32, &mut u32),
+) -> Option<(f64, f64, usize)> {
     let way = to.0 - from.0;
     let astray = from.1.iter().zip(&middle.1).zip(&to.1).enumerate().find_map(|(index, ((a, m), b))| {
         let by = b.value - a.value;
         let expected = way / 6.0 * (a.slope + 4.0 * m.slope + b.slope);
         // Where there are no numbers the chain does not close.
-        ((by - expected).abs() > SMOOTH * a.size).then_some((by, index))
+        let within = SMOOTH * a.size + a.error + m.error + b.error;
+        ((by - expected).abs() > within).then_some((by, index))
     });
     let (by, index) = astray?;
     if left == 0 || middle.0 <= from.0 || middle.0 >= to.0 {
-        return (by.abs() > LEAP * from.1[index].size).then_some((from.0, by, index));
+        let rounding = from.1[index].error + to.1[index].error;
+        return (by.abs() > LEAP * from.1[index].size + rounding).then_some((from.0, by, index));
     }
-    let halves = [[from, middle], [middle, to]];
-    halves.into_iter().find_map(|[from, to]| {
+    if *all == 0 {
+        return None;
+    }
+    *all -= 1;
+    for [from, to] in [[from, middle], [middle, to]] {
         let middle = look(f64::midpoint(from.0, to.0));
-        leap(look, [from, &middle, to], left - 1)
-    })
+        let found = leap(look, [from, &middle, to], (left - 1, &mut *all));
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
 }
 
 /// Whether everything moves by the input at one place as the independent solver has it move from there.

@@ -5,6 +5,10 @@
 //! at most [`MOST_POSITIONS`] positions, since the independent solver costs more for one position than the sweep for some
 //! thousand. Where wheels have carried their points is followed besides (`carried.rs`).
 //!
+//! The independent solver is told which of its assemblies is meant: it begins from where the drawing has the points, and what
+//! it finds there closes by its own equations, with rates of its own. That the mechanism gets into that assembly from the
+//! scene's own place is the drawing's word: along a stretch every meet keeps its side.
+//!
 //! A torsion spring is wound up by what its links have turned since the scene's own place. No equation of one position tells
 //! that: the independent solver is led there by short steps, and the angles that it finds are added up.
 
@@ -114,8 +118,7 @@ const HALVINGS: u32 = 6;
 /// scene's own place to each of these, ascending. `None` where nothing has to be added up, or where it is not led to.
 fn wound_up(sweep: &Sweep, places: &[f64]) -> Vec<Option<Vec<f64>>> {
     let mut wound = vec![None; places.len()];
-    let Some(begin) =
-        sweep.mechanism_at(sweep.start).filter(|mechanism| !torsion_springs(mechanism).is_empty())
+    let Some(begin) = sweep.marked_at(sweep.start).filter(|mechanism| !torsion_springs(mechanism).is_empty())
     else {
         return wound;
     };
@@ -161,7 +164,7 @@ fn led(sweep: &Sweep, (from, angles): (f64, &[f64]), to: f64, longest: f64) -> O
         let mut goal = if left.abs() <= longest { to } else { at + longest.copysign(left) };
         let mut halvings = 0;
         angles = loop {
-            let there = turned_further(&sweep.mechanism_at(home(sweep, goal))?)?;
+            let there = turned_further(&sweep.marked_at(home(sweep, goal))?)?;
             let on: Vec<f64> = angles.iter().zip(&there).map(|(before, now)| wrapped(now - before)).collect();
             if on.iter().all(|by| by.abs() <= LONGEST_TURN) {
                 break angles.iter().zip(on).map(|(before, by)| before + by).collect();
@@ -272,7 +275,7 @@ fn stands_on_a_knot(mechanism: &Mechanism) -> bool {
 }
 
 fn confirm_at(sweep: &Sweep, at: f64, wound: Option<&[f64]>) -> Result<(), SweepUnconfirmed> {
-    let (Some(values), Some(mut mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
+    let (Some(values), Some(mut mechanism)) = (sweep.at(at), sweep.marked_at(at)) else { return Ok(()) };
     let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
     if quantities.is_empty() || stands_on_a_knot(&mechanism) {
         return Ok(());

@@ -721,6 +721,11 @@ impl Report<'_> {
         for reversal in reversals {
             let _ = writeln!(out, "{}", self.reversal(reversal));
         }
+        for part in &self.sweep.ambiguous {
+            let [from, to] = part.map(|at| self.place(at));
+            let _ =
+                writeln!(out, "from {from} to {to} two balances with friction fit: no force is told there");
+        }
         for stroke in self.sweep.strokes() {
             let _ = writeln!(out, "{}", self.stroke(&stroke));
         }
@@ -979,6 +984,10 @@ impl Report<'_> {
         });
         if let Some(why) = &self.unconfirmed {
             head["unconfirmed"] = json!(why);
+        }
+        if !self.sweep.ambiguous.is_empty() {
+            let parts = self.sweep.ambiguous.iter().map(|part| part.map(|at| at / self.unit.si));
+            head["ambiguous"] = parts.map(|[from, to]| json!({ "from": from, "to": to })).collect();
         }
         if !self.reversals.is_empty() {
             let cells = self.cells();

@@ -1,6 +1,7 @@
 //! A mechanism's drawing as a program: made once, to be run over the range of an input.
 
 use crate::board::{Board, BoundedProgram, Program, Reason, Tape, Transcript, Variable, Wanted};
+use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity, Stuck};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -19,13 +20,15 @@ pub struct Transcribed {
     pub program: Program,
     /// The same for the first asked quantities only and without divisors: what a sweep runs.
     pub lean: Program,
-    /// Where points stand: the coordinates of those of `placed`, one after the other, and by what angle those of
-    /// `turned` have turned.
+    /// Where points stand: the coordinates of those of `placed`, one after the other; by what angle those of
+    /// `turned` have turned; and where the x-axes of those of `swivelling` point, as cosine and sine.
     pub skeleton: Program,
     /// The points that the drawing places.
     pub placed: Vec<PointId>,
     /// The wheels that roll on from where they stand in the drawing.
     pub turned: Vec<LinkId>,
+    /// The links of one joint that swivel with the rider of their guide.
+    pub swivelling: Vec<LinkId>,
     /// How many numbers each asked quantity has; none for what has none.
     pub numbers: Vec<usize>,
     /// The asked quantities, by index, that are instant centres with a place: each has two numbers, and three
@@ -99,6 +102,7 @@ pub fn transcribe(
         skeleton: written.transcript.program(&places, false),
         placed: written.placed,
         turned: written.turned,
+        swivelling: written.swivelling,
         program: written.transcript.program(&all, true),
         lean: written.transcript.program(&wanted[..few], false),
         numbers: written.numbers,
@@ -148,7 +152,8 @@ struct Written {
     asked: Vec<u32>,
     placed: Vec<PointId>,
     turned: Vec<LinkId>,
-    /// Of each of the placed points, and of each of the wheels.
+    swivelling: Vec<LinkId>,
+    /// Of each of the placed points, of each of the wheels, and of each of those that swivel.
     places: Vec<u32>,
     centres: Vec<usize>,
     /// Of each of the centres.
@@ -204,7 +209,8 @@ fn write_down(
         .collect();
     let (mut placed, mut places) = (Vec::new(), Vec::new());
     for point in (0..mechanism.points.len()).map(PointId) {
-        if let Some(at) = draughtsman.places[point.0] {
+        // A point of a link that stands is on it, though nobody asked for it: where the scene has it roughly is long past.
+        if let Some(at) = draughtsman.place_by_places(point) {
             placed.push(point);
             places.extend(draughtsman.in_world(at).map(|amount| amount.mark()));
         }
@@ -214,6 +220,16 @@ fn write_down(
         if let Some(by) = draughtsman.turned_by[link.0] {
             turned.push(link);
             places.push(draughtsman.board.radians(by).mark());
+        }
+    }
+    let mut swivelling = Vec::new();
+    for link in (0..mechanism.links.len()).map(LinkId) {
+        if draughtsman.swivels_by(link).is_some() && draughtsman.pose_of(link).is_some() {
+            let own_x = draughtsman.board.rightward();
+            let along = draughtsman.carried(link, own_x);
+            let unit = draughtsman.board.amount(Given::exact(1.0));
+            swivelling.push(link);
+            places.extend(draughtsman.board.components(along, unit).map(|part| part.mark()));
         }
     }
     let stalled = draughtsman.record().circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty());
@@ -251,6 +267,7 @@ fn write_down(
         asked,
         placed,
         turned,
+        swivelling,
         places,
         centres,
         homogeneous,

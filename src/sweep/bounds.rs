@@ -89,11 +89,13 @@ impl SweepWithBounds<'_> {
                 }
                 program.run(&at, &errors, (&signs, &found), &mut block);
                 for (index, &at) in chunk.iter().enumerate() {
+                    let ambiguous = self.sweep.is_ambiguous(at);
                     let found = block.asked(program).zip(&self.sweep.columns);
                     for ((to, bound), ((value, within), column)) in row.iter_mut().zip(&mut bounds).zip(found)
                     {
                         *to = if column.is_unsigned() { value[index].abs() } else { value[index] };
-                        *bound = within[index];
+                        *bound =
+                            if ambiguous && column.is_of_balance() { f64::INFINITY } else { within[index] };
                     }
                     take(at, &row, &bounds);
                 }

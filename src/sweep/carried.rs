@@ -6,7 +6,7 @@
 use super::{Stretch, Sweep, prepare};
 use crate::board::{Dual, Variable, Workspace};
 use crate::given::Given;
-use crate::mechanism::{Form, Input, LinkId, Mechanism, Place, Point, PointId, Roll};
+use crate::mechanism::{Form, Input, LinkId, Mechanism, Place, Point, PointId, Rider, Roll, Slide};
 
 /// Where points stand at one place of the input, and how far wheels have rolled: each with its derivative by the input.
 #[derive(Debug, Clone, Default)]
@@ -15,6 +15,8 @@ pub struct Skeleton {
     pub points: Vec<(PointId, [Dual; 2])>,
     /// The wheels that roll on from where the scene has them, radians since then, ccw.
     pub turned: Vec<(LinkId, Dual)>,
+    /// The links of one joint that swivel with the rider of their guide, each with the direction of its x-axis.
+    pub swivelling: Vec<(LinkId, [Dual; 2])>,
 }
 
 /// An error of a sweep is an estimate: a place is known within so many of them.
@@ -33,7 +35,13 @@ impl Sweep {
             let (Some(x), Some(y)) = (numbers.next(), numbers.next()) else { break };
             points.push((point, [x, y]));
         }
-        Skeleton { points, turned: transcribed.turned.iter().copied().zip(numbers).collect() }
+        let turned = transcribed.turned.iter().copied().zip(&mut numbers).collect();
+        let mut swivelling = Vec::with_capacity(transcribed.swivelling.len());
+        for &link in &transcribed.swivelling {
+            let (Some(cos), Some(sin)) = (numbers.next(), numbers.next()) else { break };
+            swivelling.push((link, [cos, sin]));
+        }
+        Skeleton { points, turned, swivelling }
     }
 
     /// The mechanism as it stands at one place: its inputs there, with their rates, and every point near where the
@@ -44,6 +52,25 @@ impl Sweep {
         if self.is_carried_along() && at == self.start {
             return Some(self.placed.clone());
         }
+        Some(self.moved_on_to(at)?.0)
+    }
+
+    /// The same for whoever does not draw it: a link of one joint that swivels has a second one near its x-axis. At the
+    /// scene's own instant that axis points towards the rider; where this has passed the joint since, it points away.
+    #[must_use]
+    pub fn marked_at(&self, at: f64) -> Option<Mechanism> {
+        if self.is_carried_along() && at == self.start {
+            return Some(self.placed.clone());
+        }
+        let (mut mechanism, skeleton) = self.moved_on_to(at)?;
+        for (link, axis) in &skeleton.swivelling {
+            point_along(&mut mechanism, &skeleton, *link, axis.map(|part| part.value));
+        }
+        Some(mechanism)
+    }
+
+    /// The mechanism with its inputs at a place, and its points near where they stand there.
+    fn moved_on_to(&self, at: f64) -> Option<(Mechanism, Skeleton)> {
         let stretch = self.stretch_at(at)?;
         let (ready, variable, _) = &self.ready;
         let mut mechanism = ready.clone();
@@ -59,14 +86,14 @@ impl Sweep {
         for &(wheel, centre) in &self.rolling {
             place_wheel(&mut mechanism, &skeleton, wheel, centre);
         }
-        Some(mechanism)
+        Some((mechanism, skeleton))
     }
 
-    /// The same as it moves while the place of what is varied grows by one unit in a second: the velocity of a point is the
-    /// derivative of its place then.
+    /// As [`Sweep::marked_at`], as it moves while the place of what is varied grows by one unit in a second: the velocity of
+    /// a point is the derivative of its place then.
     #[must_use]
     pub fn led_at(&self, at: f64) -> Option<Mechanism> {
-        let mut mechanism = self.mechanism_at(at)?;
+        let mut mechanism = self.marked_at(at)?;
         if let Variable::Input(swept) = self.ready.1 {
             for (index, input) in mechanism.inputs.iter_mut().enumerate() {
                 let rate = Given::exact(if index == swept { 1.0 } else { 0.0 });
@@ -114,15 +141,40 @@ fn place_wheel(mechanism: &mut Mechanism, skeleton: &Skeleton, wheel: LinkId, ce
         let value = from.value + arm * part;
         Given::within(value, from.error + arm * off + f64::EPSILON * value.abs())
     });
+    add_mark(mechanism, wheel, arm, Place::Placed(mark));
+}
+
+/// Gives a link of one joint that is swivelled by its guide a second point, near where its x-axis points.
+fn point_along(mechanism: &mut Mechanism, skeleton: &Skeleton, link: LinkId, [cos, sin]: [f64; 2]) {
+    let rides = |slide: &Slide| matches!(slide.rider, Rider::Link { link: rider, .. } if rider == link);
+    let is_driven = |input: &Input| matches!(*input, Input::Angle { link: driven, .. } | Input::Speed { link: driven, .. } if driven == link);
+    let told = mechanism.slides.iter().any(rides) || mechanism.inputs.iter().any(is_driven);
+    if told || mechanism.link(link).form != Form::Single {
+        return;
+    }
+    let Some(&joint) = mechanism.link(link).points.first() else { return };
+    let Some((_, at)) = skeleton.points.iter().find(|(point, _)| *point == joint) else { return };
+    let at = at.map(|m| m.value);
+    let away = skeleton.points.iter().map(|(_, [x, y])| libm::hypot(x.value - at[0], y.value - at[1]));
+    let arm = away.filter(|far| far.is_finite()).fold(0.0, f64::max);
+    if arm == 0.0 {
+        return;
+    }
+    let mark = Place::Near([at[0] + arm * cos, at[1] + arm * sin]);
+    add_mark(mechanism, link, arm, mark);
+}
+
+/// Gives a link of one joint a second point, so far from the joint along its x-axis.
+fn add_mark(mechanism: &mut Mechanism, link: LinkId, arm: f64, place: Place) {
     let point = PointId(mechanism.points.len());
-    let number = mechanism.link(wheel).number;
+    let number = mechanism.link(link).number;
     mechanism.points.push(Point {
-        name: format!("the mark of wheel {number}"),
-        place: Place::Placed(mark),
-        links: vec![wheel],
+        name: format!("the mark of link {number}"),
+        place,
+        links: vec![link],
         journal: None,
     });
-    let link = &mut mechanism.links[wheel.0];
+    let link = &mut mechanism.links[link.0];
     link.points.insert(1, point);
     let [origin, along] = [[0.0, 0.0], [arm, 0.0]].map(|own| own.map(Given::exact));
     link.form = Form::Shape(vec![origin, along]);

@@ -18,6 +18,7 @@ mod bounds;
 mod carried;
 mod course;
 mod curve;
+mod friction;
 pub mod governor;
 mod positions;
 mod prepare;
@@ -123,6 +124,12 @@ impl Column {
         self.asked.quantity.nature() == Nature::Size
     }
 
+    /// Whether it hangs on how what acts is balanced.
+    #[must_use]
+    pub fn is_of_balance(&self) -> bool {
+        matches!(self.asked.quantity, Quantity::Force(..))
+    }
+
     /// The number as it counts for the quantity.
     fn counted(&self, m: Dual) -> Dual {
         if self.is_unsigned() && m.value < 0.0 {
@@ -214,6 +221,9 @@ pub struct Sweep {
     pub stretches: Vec<Stretch>,
     /// What happens on the way, ascending.
     pub events: Vec<Event>,
+    /// From where to where, next to a limit or a dead position, more than one balance with friction fits; no force is told
+    /// there. SI units, ascending.
+    pub ambiguous: Vec<[f64; 2]>,
     /// The rate of what is varied: the first input's, SI units per second; over time 1.
     pub rate: f64,
     /// At how many places of the range to look.
@@ -291,6 +301,7 @@ impl Sweep {
         let standing = crate::graphical::standing(mechanism)?;
         let placed = &*standing;
         let moved = prepare::Moved::by_asked(placed, shown)?;
+        prepare::stands(placed, shown)?;
         let (mut mechanism, swept, start) = prepare::ready(placed, &moved)?;
         let told = mechanism.asked.len();
         for more in shown {
@@ -316,10 +327,11 @@ impl Sweep {
             transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &wheels.starts)
         };
         let mut source = CentreSource::Diagram;
-        let mut transcribed = transcribe_from(source)?;
+        let left_to_rolling = |error| prepare::left_to_rolling(placed, error);
+        let mut transcribed = transcribe_from(source).map_err(left_to_rolling)?;
         if transcribed.stalled {
             source = CentreSource::Velocities;
-            transcribed = transcribe_from(source)?;
+            transcribed = transcribe_from(source).map_err(left_to_rolling)?;
         }
         let mut columns = Vec::new();
         for (index, (asked_here, numbers)) in mechanism.asked.iter().zip(&transcribed.numbers).enumerate() {
@@ -381,6 +393,7 @@ impl Sweep {
             looked: 0,
             stretches: Vec::new(),
             events: Vec::new(),
+            ambiguous: Vec::new(),
             rate,
             looks: looks(&variable, &mechanism, range)?,
             transcribed,
@@ -394,6 +407,18 @@ impl Sweep {
         sweep.looked = looked;
         if range_is_free {
             sweep.end_where_it_ends();
+        }
+        sweep.ambiguous = sweep.several_balances();
+        if !sweep.ambiguous.is_empty() {
+            // Of a force that nobody knows nothing is extreme.
+            let mut events = std::mem::take(&mut sweep.events);
+            events.retain(|event| match event.kind {
+                EventKind::Least { column, .. } | EventKind::Greatest { column, .. } => {
+                    sweep.is_told(column, event.at)
+                }
+                _ => true,
+            });
+            sweep.events = events;
         }
         Ok(sweep)
     }
@@ -522,15 +547,23 @@ impl Sweep {
         } else {
             vec![true; self.columns.len()]
         };
+        let ambiguous = self.is_ambiguous(at);
         program.look(at, signs, place);
         program
             .asked(place)
             .zip(program.known(place).zip(told))
             .zip(&self.columns)
             .map(|((m, (known, told)), column)| {
-                (m.value.is_finite() && (column.is_of_position() || known && told)).then(|| column.counted(m))
+                let known = column.is_of_position() || known && told;
+                let balanced = !ambiguous || !column.is_of_balance();
+                (m.value.is_finite() && known && balanced).then(|| column.counted(m))
             })
             .collect()
+    }
+
+    /// Whether a column is known at a place, as far as friction leaves one balance there.
+    fn is_told(&self, column: usize, at: f64) -> bool {
+        !(self.columns[column].is_of_balance() && self.is_ambiguous(at))
     }
 
     /// Computes the asked columns at many places, in blocks and without allocation for each: `take` gets the place

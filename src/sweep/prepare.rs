@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::{InputKind, SweepError};
 use crate::board::{Law, Variable};
 use crate::given::Given;
-use crate::graphical::{self, Scales};
+use crate::graphical::{self, DrawError, Scales};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{
@@ -50,6 +50,17 @@ impl Moved {
         };
         rider && self.has(slide.guide.link)
     }
+}
+
+/// Refuses what does not stand at the scene's own place: a drawing that is to be run is not looked at there, and where its
+/// lines do not meet it would run on with points at infinity.
+pub(super) fn stands(mechanism: &Mechanism, shown: &[Asked]) -> Result<(), SweepError> {
+    let mut asking = mechanism.clone();
+    asking.asked.extend_from_slice(shown);
+    let structure = Structure::of(&asking)?;
+    let plan = Plan::new(&asking, &structure, Extent::Asked);
+    graphical::extents(&asking, &structure, &plan.skeleton())?;
+    Ok(())
 }
 
 /// The mechanism without anything that holds at one instant only; the index of its first input; and where
@@ -164,6 +175,21 @@ pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure)
             mechanism.link(wheel).number
         ))),
         None => Ok(()),
+    }
+}
+
+/// Why a drawing cannot be run: a wheel's centre that the scene places, and that nothing leads on but rolling, stands where it
+/// does at this instant only.
+pub(super) fn left_to_rolling(placed: &Mechanism, error: DrawError) -> SweepError {
+    match error {
+        DrawError::NotPlaced { point } if placed.point(point).place.exact().is_some() => {
+            let name = &placed.point(point).name;
+            SweepError::Instant(format!(
+                "where {name} goes follows from rolling alone, from where it is placed at this instant, and a sweep does \
+                 not lead it on: drive what carries {name}, a link or a slide, in the place of the wheel"
+            ))
+        }
+        error => error.into(),
     }
 }
 

@@ -123,11 +123,11 @@ fn the_truth_is_the_derivative_of_places() {
     assert!(held > 300, "{held} mechanisms");
 }
 
-/// Whole sheets of a sample, which the independent solver confirms, and their sweeps at the place from which they start. Of the
-/// sweeps it confirms all but a few, along which it does not find its way or contradicts: nothing is handed out of these.
+/// Whole sheets of a sample, which the independent solver confirms, and their sweeps: at the place from which they start they
+/// have the truth, and along all of them the independent solver finds its way and does not contradict.
 #[test]
 fn sheets_and_sweeps_of_the_statements() {
-    let (mut drawn, mut swept, mut unconfirmed) = (0, 0, 0);
+    let (mut drawn, mut swept) = (0, 0);
     let mut complaints = Vec::new();
     let from = from_environment("LINKGRAM_SEED", 0);
     for seed in from..from + from_environment("LINKGRAM_SHEETS", 120) {
@@ -163,14 +163,12 @@ fn sheets_and_sweeps_of_the_statements() {
             complaints.push(format!("seed {seed}: {found:?}\n{text}"));
         }
         if let Err(why) = linkgram::check::confirm_sweep(&sweep) {
-            println!("seed {seed}: the sweep is not confirmed: {why:?}");
-            unconfirmed += 1;
+            complaints.push(format!("seed {seed}: the sweep is not confirmed: {why:?}\n{text}"));
         }
         swept += 1;
     }
     assert!(complaints.is_empty(), "{} complaints\n{}", complaints.len(), complaints.join("\n\n"));
     assert!(drawn > 60 && swept > 40, "{drawn} sheets, {swept} sweeps");
-    assert!(10 * unconfirmed <= swept, "{unconfirmed} of {swept} sweeps are not confirmed");
 }
 
 /// Both solvers give the truth of every statement. Few of them while some take seconds; the campaign takes more.
