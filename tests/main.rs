@@ -71,6 +71,7 @@ mod plan;
 #[path = "planted/main.rs"]
 mod planted;
 mod planted_forces;
+mod printed_lines;
 mod random_sheets;
 mod rooms;
 mod second_examiner;

@@ -14,9 +14,9 @@
 
 use crate::board::{Amount, Direction, Line, Mm, Point};
 use crate::given::Given;
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Asked, Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
-use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
@@ -59,10 +59,14 @@ impl Draughtsman<'_> {
                 self.set_rate(Order::Acceleration, link, alpha);
                 self.dyad(Order::Acceleration, step, group);
             }
-            GroupKind::DrivenWheel { wheel, centre, input, .. } => {
+            GroupKind::DrivenWheel { wheel, centre, roll, guide, input } => {
                 let alpha = self.driven_rate(Order::Acceleration, input);
                 self.set_rate(Order::Acceleration, wheel, alpha);
-                self.dyad(Order::Acceleration, step, group);
+                if guide.is_none() && self.rolled_on(roll, wheel) == LinkId::FRAME {
+                    self.acceleration_of_rolling_centre(wheel, centre, roll);
+                } else {
+                    self.dyad(Order::Acceleration, step, group);
+                }
                 self.points_of_wheel(Order::Acceleration, step, wheel, centre);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Acceleration, step, trial),
@@ -247,9 +251,171 @@ impl Draughtsman<'_> {
         }
     }
 
-    /// At a rolling contact the tangential parts are equal, so the images of both contact points lie on a
-    /// parallel to the common normal; the wheel's own lies where that meets the line of its tangential part.
+    /// The centre of a driven wheel keeps its distance from a body that rests, and nothing slips: Aᵗ = ε r along a line; about
+    /// the centre of a circle Aⁿ = V²/l as well.
+    fn acceleration_of_rolling_centre(&mut self, wheel: LinkId, centre: PointId, roll: usize) {
+        let order = Order::Acceleration;
+        self.board.purpose("acceleration image");
+        self.step(order, &[wheel], Vec::new());
+        let contact = self.contact_of(roll);
+        let (start, quantity, kind) = match self.other_centre(roll, wheel) {
+            None => {
+                let pole =
+                    (self.contact_label(roll, LinkId::FRAME), self.contact_image(order, roll, LinkId::FRAME));
+                (pole, Quantity::Acceleration(centre), VectorKind::Absolute)
+            }
+            Some(_) => {
+                let route = self.acceleration_roll((roll, wheel, centre), false, 1);
+                // What follows on Aⁿ is known too.
+                self.take_back_act();
+                (route.foot, Quantity::Tangential(centre), VectorKind::Tangential)
+            }
+        };
+        let (rate, radius) = (self.rate(order, wheel), self.length_to(wheel, centre, contact));
+        let part = self.board.product(rate, radius);
+        self.act_turning(order, quantity, wheel, [contact, centre], [rate, radius, part]);
+        // Seen from the contact point the centre lies opposite to where the contact lies from the centre.
+        let back = self.square_to(wheel, centre, contact);
+        let square = self.board.reverse(back);
+        let scale = self.polygon_scale(order);
+        let mm = self.board.to_paper(part, scale);
+        let at = self.lay_off_vector(quantity, start.1, square, mm);
+        let at = self.note_image(order, centre, at);
+        let claim = Claim::Perpendicular(Reference::Points(centre, contact));
+        let head = (self.label(centre), at);
+        let vector = self.note_vector(order, (kind, quantity, Some(claim)), start, head);
+        self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
+        if let Some(other) = self.other_centre(roll, wheel) {
+            let line = Claim::Parallel(Reference::Points(other, centre));
+            self.parts_of_sum(order, centre, &[(Quantity::Normal(centre), line), (quantity, claim)]);
+            self.absolute_of(order, centre, at);
+        }
+    }
+
+    /// At a rolling contact the tangential parts are equal. All normal parts lie along the common normal and say nothing of
+    /// how the wheel turns: its tangential part ends where the line square to the radius meets a parallel to that normal.
     fn acceleration_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
+        let contact = self.contact_of(roll);
+        let asks = |asked: &Asked| {
+            asked.quantity.order() == Order::Acceleration && asked.quantity.about().0.contains(&Some(contact))
+        };
+        if self.mechanism.asked.iter().any(asks) {
+            return self.accelerations_at_contact(step, wheel, centre, roll);
+        }
+        let order = Order::Acceleration;
+        self.board.purpose("acceleration of a contact point");
+        self.step(order, &[wheel], Vec::new());
+        if self.rolls_on_resting_line((roll, wheel), centre) {
+            self.turning_on_line((roll, wheel), centre);
+            self.points_of_wheel(order, step, wheel, centre);
+            return;
+        }
+        let known = self.contact_without_normals(roll, self.rolled_on(roll, wheel));
+        self.act(Act::LeaveOutNormals { contact, centre });
+        let from = (self.label(centre), self.image(order, centre));
+        let across = Claim::Perpendicular(Reference::Points(centre, contact));
+        let along_normal = Claim::Parallel(Reference::Points(centre, contact));
+        let square = self.square_to(wheel, centre, contact);
+        let normal = self.outward(wheel, centre, contact);
+        self.act(Act::DrawRay { from: from.0, claim: across });
+        self.act(Act::DrawRay { from: known.0, claim: along_normal });
+        let unknown = Unknown::Turn { link: wheel, base: centre, to: contact };
+        let ray = Line { through: from.1, along: square };
+        let arm = Route { foot: from, ray, claim: across, unknown };
+        let reason = self.reason(&[wheel]);
+        let meet = self.board.meet_lines(arm.ray, Line { through: known.1, along: normal }, reason);
+        let label = self.foot_at_contact(contact, wheel);
+        self.note_foot(order, label, meet.at);
+        self.act(Act::MarkMeet { label, crossing: meet.crossing });
+        self.note_ray(order, from.1, meet.at, across);
+        self.note_ray(order, known.1, meet.at, along_normal);
+        let target = Target::Under(contact, wheel);
+        self.read_alpha(&arm, target, (wheel, centre), (label, meet.at), meet.along[0]);
+        self.points_of_wheel(order, step, wheel, centre);
+    }
+
+    /// Whether a wheel rolls on a straight line of the frame, and the acceleration of its centre is drawn.
+    fn rolls_on_resting_line(&self, (roll, wheel): (usize, LinkId), centre: PointId) -> bool {
+        let own = Quantity::Acceleration(centre);
+        matches!(self.mechanism.rolls[roll], Roll::Line { wheel: of, .. } if of == wheel)
+            && self.rolled_on(roll, wheel) == LinkId::FRAME
+            && self.polygon(Order::Acceleration).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == own))
+    }
+
+    /// A = ε r of the centre of a wheel on a straight line at rest, from which it keeps its distance.
+    fn turning_on_line(&mut self, (roll, wheel): (usize, LinkId), centre: PointId) {
+        let order = Order::Acceleration;
+        let contact = self.contact_of(roll);
+        self.act(Act::RollStraight { wheel, centre });
+        // Against the centre the contact point has what the centre has against the contact point, the other way.
+        let pole = self.contact_image(order, roll, LinkId::FRAME);
+        let (image, square) = (self.image(order, centre), self.square_to(wheel, centre, contact));
+        let normal = self.outward(wheel, centre, contact);
+        let reason = self.reason(&[wheel]);
+        let [ray, across] = [Line { through: image, along: square }, Line { through: pole, along: normal }];
+        let along = self.board.meet_lines(ray, across, reason).along[0];
+        let quantity = Quantity::Acceleration(centre);
+        let scale = self.polygon_scale(order);
+        let read = self.board.read(along, scale);
+        let tangential = self.as_read(quantity, read);
+        let length = self.length_to(wheel, centre, contact);
+        let reason = self.reason(&[wheel]);
+        let alpha = self.board.quotient(tangential, length, reason);
+        let alpha = self.rate_as_calculated(order, wheel, alpha);
+        self.set_rate(order, wheel, alpha);
+        self.act(Act::Calculate(Calculation::Alpha {
+            link: wheel,
+            quantity,
+            ends: [contact, centre],
+            tangential: tangential.value().abs(),
+            length: length.value(),
+            value: alpha.value(),
+        }));
+    }
+
+    /// The foot of a link's point at a contact; P of link 3 is written as a point that somebody has called P3, whose own foot is
+    /// the first.
+    fn foot_at_contact(&self, contact: PointId, link: LinkId) -> Label {
+        let written = format!("{}{}", self.mechanism.point(contact).name, self.mechanism.link(link).number);
+        let taken = self.mechanism.points.iter().any(|point| point.name == written);
+        Label::Foot { point: contact, link: Some(link), index: if taken { 2 } else { 1 } }
+    }
+
+    /// Where the acceleration of a solved body's contact point ends but for parts along the common normal: of a body with a
+    /// circle Aᵗ = ε r against its centre.
+    fn contact_without_normals(&mut self, roll: usize, body: LinkId) -> (Label, Point) {
+        let order = Order::Acceleration;
+        let contact = self.contact_of(roll);
+        let centre = match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => (0..2).find(|&i| links[i] == body).map(|i| centres[i]),
+            Roll::Line { wheel, centre, .. } => (wheel == body).then_some(centre),
+        };
+        let stands = self.image_drawn_under(order, contact, body).is_some();
+        let turns = body != LinkId::FRAME && !self.translates[body.0];
+        let Some(centre) = centre.filter(|_| turns && !stands) else {
+            return (self.contact_label(roll, body), self.contact_image(order, roll, body));
+        };
+        let start = (self.label(centre), self.image(order, centre));
+        let (rate, length) = (self.rate(order, body), self.length_to(body, centre, contact));
+        let part = self.board.product(rate, length);
+        let quantity = Quantity::CoincidentTangential(contact, body);
+        self.act_turning(order, quantity, body, [centre, contact], [rate, length, part]);
+        let square = self.square_to(body, centre, contact);
+        let scale = self.polygon_scale(order);
+        let mm = self.board.to_paper(part, scale);
+        let at = self.lay_off_vector(quantity, start.1, square, mm);
+        let label = self.foot_at_contact(contact, body);
+        let claim = Claim::Perpendicular(Reference::Points(centre, contact));
+        let kind = (VectorKind::Tangential, quantity, Some(claim));
+        let vector = self.note_vector(order, kind, start, (label, at));
+        self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
+        self.note_foot(order, label, at);
+        (label, at)
+    }
+
+    /// The same where somebody asks for the accelerations of the contact points: with their normal parts the images of both lie
+    /// on a parallel to the common normal; the wheel's own lies where that meets the line of its tangential part.
+    fn accelerations_at_contact(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         let contact = self.contact_of(roll);
         self.board.purpose("acceleration of a contact point");
         self.step(Order::Acceleration, &[wheel], Vec::new());

@@ -1436,6 +1436,20 @@ pub enum Act {
         /// Angle at which the two rays cross, radians, 0 to π/2.
         crossing: f64,
     },
+    /// The centre of a wheel that rolls on a straight line at rest keeps its distance: A = ε r.
+    RollStraight {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
+    /// At a rolling contact only the tangential parts count: what lies along the common normal is not drawn.
+    LeaveOutNormals {
+        /// The contact point.
+        contact: PointId,
+        /// The centre of the wheel whose turning is sought.
+        centre: PointId,
+    },
     /// Divide an image line as the link is divided.
     DivideImage {
         /// The image found.
@@ -1463,6 +1477,8 @@ pub enum Act {
         /// The image it coincides with.
         with: Label,
     },
+    /// Part of how a velocity that is laid off next follows from centres.
+    ByCentres(TransferAct),
     /// Lay off a velocity that was found from a link's instant centre with the frame.
     LayOffFromCentre {
         /// Index into [`Diagram::vectors`].

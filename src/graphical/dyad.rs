@@ -636,6 +636,16 @@ impl Draughtsman<'_> {
         }
     }
 
+    /// A_B = Aⁿ_B + Aᵗ_B of a point that moves about nothing but a resting one.
+    pub(super) fn parts_of_sum(&mut self, order: Order, point: PointId, parts: &[(Quantity, Claim)]) {
+        let laid = |&(quantity, claim): &(Quantity, Claim)| {
+            self.laid_off(order, quantity, TermDirection::Claim(claim))
+        };
+        let right: Vec<Term> = parts.iter().filter_map(laid).collect();
+        let left = vec![sought_whole(order, point)];
+        self.equation(Equation { begins: 0, whole: None, left, right });
+    }
+
     /// A vector of the diagram that is known by now.
     pub(super) fn found(&mut self, quantity: Quantity, image: Point, order: Order) -> Term {
         let at = image.value();
@@ -843,7 +853,9 @@ impl Draughtsman<'_> {
                 };
                 drawn.extend(self.laid_off(order, part, TermDirection::Claim(across)));
                 if second {
+                    // Both lie along one line, and only their sum is sought.
                     let claim = self.common_normal(roll).1;
+                    drawn.push(sought(Quantity::ContactNormal(contact, wheel, other), claim));
                     drawn.push(sought(Quantity::RelativeNormal(centre, contact), claim));
                 }
             }

@@ -41,6 +41,7 @@ impl Construction {
             for act in &mut step.acts {
                 match act {
                     Act::MeasureLength { mm, .. } => *mm *= by.length(),
+                    Act::ByCentres(act) => transfer_act(act, by),
                     Act::LayOffVector { mm, .. }
                     | Act::LayOffFromCentre { mm, .. }
                     | Act::ReadVector { mm, .. } => *mm *= by.of(step.diagram.dimension()),
@@ -116,25 +117,27 @@ fn circle(circle: &mut CircleDiagram, by: Scales, si_per_mm: f64) {
     }
 }
 
+fn transfer_act(act: &mut TransferAct, by: Scales) {
+    match act {
+        TransferAct::Ratio { mm, .. } => scale(mm, by.length()),
+        TransferAct::CommonSpeed { mm, .. }
+        | TransferAct::AboutPole { mm, .. }
+        | TransferAct::Omega { mm, .. } => *mm *= by.length(),
+        TransferAct::Difference { mm, .. }
+        | TransferAct::Gauge { mm, .. }
+        | TransferAct::Parallel { mm, .. } => *mm *= by.of(Dimension::Velocity),
+        // A′B′ is AB and what the velocity adds to it.
+        TransferAct::OmegaByParallel { mm: [longer, own], .. } => {
+            *longer = *own * by.length() + (*longer - *own) * by.of(Dimension::Velocity);
+            *own *= by.length();
+        }
+        TransferAct::Translation { .. } => {}
+    }
+}
+
 fn transferred(transfer: &mut Transfer, by: Scales, si_per_mm: f64) {
     transfer.si_per_mm = si_per_mm;
-    for act in &mut transfer.acts {
-        match act {
-            TransferAct::Ratio { mm, .. } => scale(mm, by.length()),
-            TransferAct::CommonSpeed { mm, .. }
-            | TransferAct::AboutPole { mm, .. }
-            | TransferAct::Omega { mm, .. } => *mm *= by.length(),
-            TransferAct::Difference { mm, .. }
-            | TransferAct::Gauge { mm, .. }
-            | TransferAct::Parallel { mm, .. } => *mm *= by.of(Dimension::Velocity),
-            // A′B′ is AB and what the velocity adds to it.
-            TransferAct::OmegaByParallel { mm: [longer, own], .. } => {
-                *longer = *own * by.length() + (*longer - *own) * by.of(Dimension::Velocity);
-                *own *= by.length();
-            }
-            TransferAct::Translation { .. } => {}
-        }
-    }
+    transfer.acts.iter_mut().for_each(|act| transfer_act(act, by));
     for ink in &mut transfer.ink {
         match ink {
             TransferInk::LineOfCentres { from, to } | TransferInk::Radius { from, to } => {

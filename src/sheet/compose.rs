@@ -516,7 +516,15 @@ fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Ve
         let steps = &construction.steps;
         let draws = |act: &usize| {
             let own = steps.get(told.step).and_then(|step| step.acts.get(*act));
-            let bare = matches!(own, Some(Act::MeasureLength { .. } | Act::MarkPole));
+            let bare = matches!(
+                own,
+                Some(
+                    Act::MeasureLength { .. }
+                        | Act::MarkPole
+                        | Act::LeaveOutNormals { .. }
+                        | Act::RollStraight { .. }
+                )
+            );
             !bare || !matches!(told.drawn, Some(Panel::Diagram(_)))
         };
         let acts = told.acts.iter().flatten().filter(|act| draws(act)).count();

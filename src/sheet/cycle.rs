@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use kurbo::{Point, Vec2};
 
-use super::cycle_lines::Computed;
+use super::cycle_lines::{Computed, given_ratio, own_inertia};
 use super::figure::{Dash, Group, Mark, Pen, Shape};
 use super::human;
 use super::ink::{FINE, SMALL, THICK, THIN, arrow, dot};
@@ -562,12 +562,14 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         if spin.balls > 1 {
             let count = ("count", human::stated(f64::from(spin.balls)));
             parts.push(Rich::fill(notation.words.given_halves, &[count]));
+            parts.extend(spin.sleeve.map(|link| {
+                let link = ("link", Rich::upright(notation.number(link)));
+                Rich::fill(notation.words.given_sleeve, &[link])
+            }));
         }
         if let Some(drag) = spin.drag {
-            parts.push(equals(
-                Rich::italic("F").sub("f"),
-                &human::stated_quantity(drag.size.value, &units.force),
-            ));
+            let name = Rich::upright(notation.words.given_sleeve_friction).up("\u{a0}").it("F").sub("f");
+            parts.push(equals(name, &human::stated_quantity(drag.size.value, &units.force)));
         }
     }
     let Some(cycle) = &forces.cycle else { return };
@@ -602,7 +604,14 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
             );
         }
     }
-    parts.push(equals(Rich::italic("θ").sub("C"), &human::degrees(cycle.period.value)));
+    let [steady_load, steady_torque] = notation.words.given_steady;
+    match &cycle.sides {
+        Sides::Torque(_) => parts.push(Rich::upright(steady_load)),
+        Sides::Load(_) => parts.push(Rich::upright(steady_torque)),
+        Sides::Both { .. } | Sides::Areas { .. } => {}
+    }
+    let period = Rich::upright(notation.words.given_period).up("\u{a0}").it("θ").sub("C");
+    parts.push(equals(period, &human::degrees(cycle.period.value)));
     if cycle.copies.number > 1 {
         let number = human::stated(f64::from(cycle.copies.number));
         parts.push(equals(
@@ -616,27 +625,36 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         parts.push(equals(Rich::italic("ω"), &value));
     }
     if let Some(wanted) = cycle.fluctuation {
-        parts.push(equals(symbol(notation, CycleQuantity::OfSpeed), &human::stated(wanted.value)));
+        let name = Rich::upright(in_words(CycleQuantity::OfSpeed, notation.words)).up("\u{a0}");
+        let name = name.then(&symbol(notation, CycleQuantity::OfSpeed));
+        parts.push(equals(name, &human::stated(wanted.value)));
     }
+    let mut turning = Vec::new();
     for (index, rotating) in cycle.rotating.iter().enumerate() {
         let sub = if cycle.rotating.len() > 1 { (index + 1).to_string() } else { String::new() };
         let named = |letter: &str| Rich::italic(letter).sub(&sub);
         match rotating.inertia {
             RotatingInertia::Central(inertia) => {
-                parts.push(equals(named("I"), &human::stated_quantity(inertia.value, &units.inertia)));
+                let own = own_inertia(cycle, &sub, rotating);
+                turning.push(equals(own, &human::stated_quantity(inertia.value, &units.inertia)));
             }
             RotatingInertia::Mass(mass, radius) => {
-                parts.push(equals(named("M"), &human::stated_quantity(mass.value, &units.mass)));
-                parts.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
+                turning.push(equals(named("M"), &human::stated_quantity(mass.value, &units.mass)));
+                turning.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
             }
             RotatingInertia::Weight(weight, radius) => {
-                parts.push(equals(named("W"), &human::stated_quantity(weight.value, &units.force)));
-                parts.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
+                turning.push(equals(named("W"), &human::stated_quantity(weight.value, &units.force)));
+                turning.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
             }
         }
         if rotating.ratio.value != 1.0 {
-            parts.push(equals(named("ω").up("/").it("ω"), &human::stated(rotating.ratio.value)));
+            let several = cycle.rotating.len() > 1;
+            turning.push(equals(given_ratio(index, several, notation), &human::stated(rotating.ratio.value)));
         }
+    }
+    if !turning.is_empty() {
+        let list = Rich::join(&turning, &Rich::upright(notation.words.comma));
+        parts.push(Rich::fill(notation.words.given_rotating, &[("list", list)]));
     }
 }
 

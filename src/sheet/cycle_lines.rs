@@ -13,7 +13,7 @@ use super::waves::{Waves, rounded};
 use crate::graphical::cycle::CycleSheet;
 use crate::mechanism::Input;
 use crate::mechanism::curve::Curve;
-use crate::mechanism::cycle::{Course, Cycle, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::cycle::{Course, Cycle, CycleQuantity, Rotating, RotatingInertia, Sides};
 use crate::mechanism::quantity::{Answer, Order, Quantity, Unit};
 
 /// The lines in which the numbers of the diagram are computed, each from those before it.
@@ -101,13 +101,7 @@ impl Computed<'_> {
             })
         };
         let period = || Some((Rich::italic("θ").sub("C"), Some(Key::Given("θ_C")), cycle.period.value, ""));
-        let (speed, key) = match mechanism.inputs.first() {
-            Some(Input::Angle { link, .. }) => {
-                let quantity = Quantity::Omega(*link);
-                (self.notation.symbol(quantity, false), Key::Of(quantity))
-            }
-            _ => (Rich::italic("ω"), Key::Given("ω")),
-        };
+        let (speed, key) = speed(self.notation);
         let omega = || Some((speed.clone(), Some(key), cycle.omega.value.abs(), "rad/s"));
         let wanted = || {
             let given = cycle.fluctuation?;
@@ -312,7 +306,7 @@ impl Computed<'_> {
         };
         // A number stands in other lines without its sign.
         let told = (Some(key), value.abs(), &joule);
-        let (numbers, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+        let (numbers, text, _) = self.figures.borrow_mut().line_from(&factors, told, reckon);
         let mut sum = Rich::default();
         for (index, (number, part)) in numbers.iter().zip(&parts).enumerate() {
             let sign = match (index, *part < 0.0) {
@@ -402,7 +396,7 @@ impl Computed<'_> {
             factors.iter().zip(units).map(|(factor, unit)| (None, *factor, unit)).collect();
         let reckon = |n: &[f64]| n.iter().product::<f64>().to_radians();
         let result = (key, value.abs(), &joule);
-        let (mut numbers, text, _) = self.figures.borrow_mut().line_of(&told, result, reckon);
+        let (mut numbers, text, _) = self.figures.borrow_mut().line_from(&told, result, reckon);
         numbers[0] = human::with_unit(&numbers[0], of_paper);
         let sign = if value < 0.0 { "−" } else { "" };
         let product = Rich::join(&numbers, &Rich::upright("\u{a0}×\u{a0}"));
@@ -474,13 +468,13 @@ impl Computed<'_> {
     fn inertia(&self) -> Option<Rich> {
         let cycle = self.cycle()?;
         let several = cycle.rotating.len() > 1;
-        let alone = |of: &crate::mechanism::cycle::Rotating| {
-            matches!(of.inertia, RotatingInertia::Central(_)) && of.ratio.value == 1.0
-        };
+        let alone =
+            |of: &Rotating| matches!(of.inertia, RotatingInertia::Central(_)) && of.ratio.value == 1.0;
         if !several && cycle.rotating.first().is_none_or(alone) {
             return None;
         }
         let g = self.notation.mechanism().forces.gravity.g.value;
+        let speed = speed(self.notation).0;
         // Each factor with the sign before it and how often it counts.
         let (mut factors, mut signs) = (Vec::new(), Vec::new());
         for (index, rotating) in cycle.rotating.iter().enumerate() {
@@ -493,7 +487,9 @@ impl Computed<'_> {
                 };
             let first = if index > 0 { " +\u{a0}" } else { "" };
             match rotating.inertia {
-                RotatingInertia::Central(inertia) => push(named("I"), inertia.value, "kg*m^2", first, false),
+                RotatingInertia::Central(inertia) => {
+                    push(own_inertia(cycle, &sub, rotating), inertia.value, "kg*m^2", first, false);
+                }
                 RotatingInertia::Mass(mass, radius) => {
                     push(named("M"), mass.value, "kg", first, false);
                     push(named("ρ"), radius.value, "m", "\u{a0}×\u{a0}", true);
@@ -505,7 +501,7 @@ impl Computed<'_> {
                 }
             }
             if rotating.ratio.value != 1.0 {
-                let ratio = Rich::upright("(").then(&named("ω")).up("/").it("ω").up(")");
+                let ratio = Rich::upright("(").then(&ratio(index, several, &speed)).up(")");
                 push(ratio, rotating.ratio.value, "", "\u{a0}×\u{a0}", true);
             }
         }
@@ -746,12 +742,10 @@ impl Computed<'_> {
         lines
     }
 
-    /// Areas and levels stand under each other: what one of them needs all have.
+    /// Areas stand under each other, and the level from which they are counted: what one of them needs all have.
     fn alike(&self, count: usize) {
-        let keys = || {
-            let all = [CycleQuantity::Area, CycleQuantity::Level];
-            (0..count).flat_map(move |index| all.map(|of| key(of(counted(index)))))
-        };
+        let areas = || (0..count).map(|index| key(CycleQuantity::Area(counted(index))));
+        let keys = || areas().chain([key(CycleQuantity::Level(1))]);
         let mut figures = self.figures.borrow_mut();
         let most = keys().map(|key| figures.more(key)).max().unwrap_or(0);
         for key in keys().filter(|key| figures.more(*key) < most).collect::<Vec<_>>() {
@@ -763,7 +757,8 @@ impl Computed<'_> {
         symbol(self.notation, of)
     }
 
-    /// Each level is the one before and the area between; the first of areas alone is the first area.
+    /// Each level is the one before and the area between, as both stand there: their sum has no more to be rounded. The first of
+    /// areas alone is the first area.
     fn levels(&self, by_angle: bool) -> Vec<Rich> {
         let joule = self.unit(ENERGY);
         let mut lines = Vec::new();
@@ -796,14 +791,25 @@ impl Computed<'_> {
                 lines.push(formula.up("\u{a0}= ").then(&human::with_unit(&zero, &joule.symbol)));
                 continue;
             }
-            let factors = [(Some(key(first)), a, &joule), (Some(key(second)), b, &joule)];
-            let reckon = |x: &[f64]| (x[0].copysign(a) + x[1].copysign(b)).abs();
-            let told = (Some(key(of)), level.abs(), &joule);
-            let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+            let (before, between) = (key(first), key(second));
+            let mut figures = self.figures.borrow_mut();
+            let x = [(before, a), (between, b)].map(|(key, value)| figures.number(key, value, &joule));
+            let sum = exact_sum([x[0].1.copysign(a), x[1].1.copysign(b)]);
+            let own = level / joule.si;
+            // Where the sum is another number in three figures, or is needed in more, what is added has more.
+            let third = |value: f64| format!("{value:.2e}");
+            let coarse = third(sum) != third(own) && sum != 0.0 || sum.signum() != own.signum();
+            for part in [before, between] {
+                if coarse || figures.more(part) < figures.more(key(of)) {
+                    figures.want(part);
+                }
+            }
+            let text = human::stated(sum.abs());
+            figures.note(key(of), &text, (sum.abs(), own.abs()), &joule);
             let sign = |value: f64, plain: &'static str, minus| if value < 0.0 { minus } else { plain };
-            let line = formula.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0]);
-            let line = line.up(sign(b, "\u{a0}+\u{a0}", "\u{a0}−\u{a0}")).then(&x[1]);
-            let line = line.up("\u{a0}= ").up(sign(*level, "", "−"));
+            let line = formula.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0].0);
+            let line = line.up(sign(b, "\u{a0}+\u{a0}", "\u{a0}−\u{a0}")).then(&x[1].0);
+            let line = line.up("\u{a0}= ").up(sign(sum, "", "−"));
             lines.push(line.then(&human::with_unit(&text, &joule.symbol)));
         }
         lines
@@ -883,7 +889,7 @@ impl Computed<'_> {
             x[0] + x[4] * (x[1] - x[2]) / (x[3] - x[2])
         };
         let told = (Some(key(of)), at, &degree);
-        let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+        let (x, text, _) = self.figures.borrow_mut().line_from(&factors, told, reckon);
         let signed = |value: f64, text: &Rich| match value < 0.0 {
             true => Rich::upright("−").then(text),
             false => text.clone(),
@@ -921,7 +927,7 @@ impl Computed<'_> {
             let gives = if self.sheet.falling { -1.0 } else { 1.0 };
             let factors = ends.map(|end| (None, end, &joule));
             let reckon = |x: &[f64]| (x[0].copysign(ends[0]) - x[1].copysign(ends[1])).abs();
-            let (x, text, _) = self.figures.borrow_mut().line_of(
+            let (x, text, _) = self.figures.borrow_mut().line_from(
                 &factors,
                 (Some(key(of_line)), value.abs(), &joule),
                 reckon,
@@ -984,7 +990,7 @@ impl Computed<'_> {
             let numbers: Vec<f64> = numbers.iter().zip(&signs).map(|(number, sign)| number * sign).collect();
             reckon(&numbers)
         };
-        let (numbers, text, _) = self.figures.borrow_mut().line_of(&told, (key, value, &result), signed);
+        let (numbers, text, _) = self.figures.borrow_mut().line_from(&told, (key, value, &result), signed);
         let numbers: Vec<Rich> = numbers
             .into_iter()
             .zip(&signs)
@@ -998,6 +1004,34 @@ impl Computed<'_> {
     }
 }
 
+/// The speed of the input, and under what key it stands.
+fn speed(notation: &Notation<'_>) -> (Rich, Key) {
+    match notation.mechanism().inputs.first() {
+        Some(Input::Angle { link, .. }) => {
+            let quantity = Quantity::Omega(*link);
+            (notation.symbol(quantity, false), Key::Of(quantity))
+        }
+        _ => (Rich::italic("ω"), Key::Given("ω")),
+    }
+}
+
+/// The speed of what turns with the input over that of the input: ω′/ω₂, of several the first ω′₁/ω₂.
+fn ratio(index: usize, several: bool, input: &Rich) -> Rich {
+    let number = if several { (index + 1).to_string() } else { String::new() };
+    Rich::italic("ω").up("′").sub(&number).up("/").then(input)
+}
+
+/// The moment of inertia of what turns with the input: where it alone turns, but at another speed, I′, for I is that of all.
+pub(super) fn own_inertia(cycle: &Cycle, sub: &str, of: &Rotating) -> Rich {
+    let other = cycle.rotating.len() == 1 && of.ratio.value != 1.0;
+    Rich::italic("I").up(if other { "′" } else { "" }).sub(sub)
+}
+
+/// The same as it is given.
+pub(super) fn given_ratio(index: usize, several: bool, notation: &Notation<'_>) -> Rich {
+    ratio(index, several, &speed(notation).0)
+}
+
 /// Of what a corner is: the driving torque, or what it is over what it works against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
@@ -1007,6 +1041,17 @@ enum Of {
 
 fn key(of: CycleQuantity) -> Key {
     Key::Of(Quantity::Cycle(of))
+}
+
+/// The sum of two printed numbers, without the last bits of a double.
+fn exact_sum(numbers: [f64; 2]) -> f64 {
+    /// No printed number has more decimals.
+    const MOST: usize = 9;
+    let sum: f64 = numbers.iter().sum();
+    let to = |value: f64, decimals: usize| format!("{value:.decimals$}").parse().unwrap_or(value);
+    let written =
+        |decimals: &usize| numbers.iter().all(|own| (to(*own, *decimals) - own).abs() <= 1e-12 * own.abs());
+    (0..=MOST).find(written).map_or(sum, |decimals| to(sum, decimals))
 }
 
 fn counted(index: usize) -> u32 {

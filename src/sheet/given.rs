@@ -9,8 +9,8 @@ use super::rich::Rich;
 use super::words::Words;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Share, Size, Spring, SpringKind,
-    SpringLaw,
+    Action, Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Share, Size, Spring,
+    SpringKind, SpringLaw,
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Measure, Order, Quantity, Unit};
@@ -1364,6 +1364,14 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         let symbol = match asked.quantity {
             Quantity::Force(_, Share::Rising) => symbol.up("\u{a0}(").up(words.governor_up).up(")"),
             Quantity::Force(_, Share::Falling) => symbol.up("\u{a0}(").up(words.governor_down).up(")"),
+            Quantity::Force(_, Share::Static) => symbol.up("\u{a0}(").up(words.asked_alone[0]).up(")"),
+            Quantity::Force(_, Share::Inertia) => symbol.up("\u{a0}(").up(words.asked_alone[1]).up(")"),
+            Quantity::Force(Force::Vector(Action::Shaking), _) => {
+                symbol.up("\u{a0}(").up(words.asked_whole[0]).up(")")
+            }
+            Quantity::Force(Force::Vector(Action::OnFrame), _) => {
+                symbol.up("\u{a0}(").up(words.asked_whole[1]).up(")")
+            }
             _ => symbol,
         };
         match methods.as_slice() {

@@ -119,6 +119,24 @@ impl Print {
 /// No number has so many figures more than usual that another does not close without.
 const MOST_MORE: usize = 2;
 
+/// What a line may do to end in what its printed numbers give.
+#[derive(Debug, Clone, Copy)]
+struct Room {
+    /// By so much of a result what is reckoned from printed numbers may differ from it.
+    far: f64,
+    /// Figures of a number that stands in no other line.
+    figures: usize,
+}
+
+impl Room {
+    /// Half of the third figure; nobody reads more than four.
+    const OF_READINGS: Self = Self { far: 5e-3, figures: 4 };
+    /// However far.
+    const OF_ALL: Self = Self { far: f64::INFINITY, ..Self::OF_READINGS };
+    /// A small difference of what stands above, as long as it has its sign; with a figure as a guard for such differences.
+    const OF_SUMS: Self = Self { far: 0.5, figures: 5 };
+}
+
 impl Figures {
     /// Begins again with what was wanted.
     pub(super) fn again(&self) -> Self {
@@ -153,6 +171,23 @@ impl Figures {
             finer: finer.collect(),
             ..Self::default()
         }
+    }
+
+    /// The same with as many figures as the steps have of velocities that they calculate of points of driven links: nobody reads
+    /// these.
+    pub(super) fn with_driven_points(mut self, steps: &Self, notation: &Notation<'_>) -> Self {
+        let mechanism = notation.mechanism();
+        let driven = mechanism.inputs.iter().filter_map(|input| match input {
+            Input::Angle { link, .. } | Input::Speed { link, .. } => Some(*link),
+            Input::Slide { .. } => None,
+        });
+        for point in driven.flat_map(|link| &mechanism.link(link).points) {
+            let key = Key::of(Quantity::Velocity(*point), notation);
+            if let Some(more) = steps.finer.get(&key) {
+                self.finer.insert(key, *more);
+            }
+        }
+        self
     }
 
     /// Keeps of what a construction on the skeleton would have needed more figures.
@@ -198,7 +233,7 @@ impl Figures {
     }
 
     /// The same with the number that stands there.
-    fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
+    pub(super) fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
         let told = [self.printed.get(&key), self.also.get(&key)];
         if let Some(print) = told.into_iter().flatten().find(|print| print.unit == *unit) {
             return (print.text.clone(), print.number);
@@ -360,7 +395,7 @@ impl Figures {
     ) -> ([Rich; N], Rich) {
         let factors = factors.map(|(key, si, unit)| (Some(key), si, unit));
         let reckon = |numbers: &[f64]| reckon(std::array::from_fn(|i| numbers[i]));
-        let (numbers, text, _) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
+        let (numbers, text, _) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, Room::OF_ALL);
         (std::array::from_fn(|i| numbers[i].clone()), text)
     }
 
@@ -373,9 +408,18 @@ impl Figures {
         result: (Option<Key>, f64, &Unit),
         reckon: impl Fn(&[f64]) -> f64,
     ) -> (Vec<Rich>, Rich, f64) {
-        /// By so much of a result what is reckoned from printed numbers may differ from it: half of the third figure.
-        const FAR: f64 = 5e-3;
-        self.reckoned(factors, result, reckon, FAR)
+        self.reckoned(factors, result, reckon, Room::OF_READINGS)
+    }
+
+    /// The same of a line of which every factor stands in a line before it: it takes them as they stand there, a small difference
+    /// too.
+    pub(super) fn line_from(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        result: (Option<Key>, f64, &Unit),
+        reckon: impl Fn(&[f64]) -> f64,
+    ) -> (Vec<Rich>, Rich, f64) {
+        self.reckoned(factors, result, reckon, Room::OF_SUMS)
     }
 
     fn reckoned(
@@ -383,7 +427,7 @@ impl Figures {
         factors: &[(Option<Key>, f64, &Unit)],
         (key, si, unit): (Option<Key>, f64, &Unit),
         reckon: impl Fn(&[f64]) -> f64,
-        far: f64,
+        room: Room,
     ) -> (Vec<Rich>, Rich, f64) {
         let exact = si / unit.si;
         let more = key.map_or(0, |key| self.more(key));
@@ -394,8 +438,8 @@ impl Figures {
                 Some(key) => self.number(*key, *si, unit),
                 None => {
                     let own = si.abs() / unit.si;
-                    let [finer, usual] = [finer, 0].map(|more| human::figures_of_reading(own, more));
-                    human::given(own, finer - usual)
+                    let usual = human::figures_of_reading(own, 0);
+                    human::given(own, finer.min(room.figures.saturating_sub(usual)))
                 }
             });
             told.collect()
@@ -403,8 +447,12 @@ impl Figures {
         let printed = |told: &[(Rich, f64)]| told.iter().map(|(_, number)| *number).collect::<Vec<f64>>();
         let mut told = tell(0);
         if factors.iter().any(|(key, ..)| key.is_none()) {
+            let off = |told: &Vec<(Rich, f64)>| (reckon(&printed(told)) - exact).abs();
             let closes = |told: &Vec<(Rich, f64)>| human::agrees(reckon(&printed(told)), number, exact, more);
-            told = (0..=MOST_MORE).map(tell).find(closes).unwrap_or(told);
+            let all: Vec<Vec<(Rich, f64)>> = (0..=MOST_MORE).map(tell).collect();
+            // Where none closes the line ends in what comes nearest.
+            let nearest = all.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+            told = all.iter().find(|told| closes(told)).or(nearest).cloned().unwrap_or_default();
         }
         let printed = printed(&told);
         let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
@@ -416,13 +464,17 @@ impl Figures {
                 human::agrees(exact, *number, exact, more)
             });
             let most = if rounded { MOST_MORE } else { 1 };
-            self.want_beside(factors, &printed, (reckoned, exact), &reckon);
+            // Not as long as figures may do: a neighbour that makes up for a coarse factor is wrong beside a finer one.
+            let settled = factors.iter().filter_map(|(key, ..)| *key).all(|key| self.more(key) >= most);
+            if settled && !key.is_some_and(is_a_square) {
+                self.want_beside(factors, &printed, (reckoned, exact), &reckon);
+            }
             for key in factors.iter().filter_map(|(key, ..)| *key) {
                 let more = (self.more(key) + 1).min(most);
                 let own = self.wanted.entry(key).or_insert(0);
                 *own = (*own).max(more);
             }
-            if (reckoned - exact).abs() <= far * exact.abs() {
+            if (reckoned - exact).abs() <= room.far * exact.abs() {
                 (text, number) = match key {
                     // Of what nothing follows.
                     Some(Key::Of(Quantity::Force(Force::Torque(_) | Force::Drive(_), _))) => {
@@ -442,6 +494,21 @@ impl Figures {
         }
         (numbers, text, number)
     }
+}
+
+/// Whether a number is reckoned from the square or the product of readings, only to be laid off: no reading is told otherwise
+/// for its sake, since from the same reading a rate follows.
+fn is_a_square(key: Key) -> bool {
+    let (Key::Of(quantity) | Key::From(quantity, _)) = key else { return false };
+    matches!(
+        quantity,
+        Quantity::Normal(_)
+            | Quantity::RelativeNormal(..)
+            | Quantity::CoincidentNormal(..)
+            | Quantity::SlipNormal(..)
+            | Quantity::TurningNormal(..)
+            | Quantity::Coriolis(..)
+    )
 }
 
 /// Whether a number is the rate of a driven link.

@@ -96,6 +96,15 @@ pub fn question(
     }
     artist.labels.extend(names);
     artist.number_links();
+    // Where something is asked of a point by the number of a link, the figure says which points lie there.
+    let asked = |point: PointId| {
+        notation.mechanism().asked.iter().any(|asked| asked.quantity.about().0.contains(&Some(point)))
+    };
+    for (index, point, all) in std::mem::take(&mut artist.fuller) {
+        if asked(point) {
+            artist.labels[index].text = all;
+        }
+    }
     let mut dimensions = artist.dimensions(&group);
     loop {
         let mut whole = group.clone();
@@ -248,7 +257,7 @@ pub(super) struct Artist<'a> {
     pub(super) slots: Vec<Slot>,
     pub(super) labels: Vec<Request>,
     /// Fuller texts for some of the labels, by index: taken where all of them find room.
-    fuller: Vec<(usize, Rich)>,
+    fuller: Vec<(usize, PointId, Rich)>,
     /// Centres of arcs that are not on the paper: an arrow leads there.
     pub(super) far: Vec<PointId>,
     /// When its ink came onto the paper, where that is asked for.
@@ -323,11 +332,12 @@ impl Artist<'_> {
 
     /// The labels with the fuller texts where they exceed everything, else with the shorter ones.
     fn placed_labels(&self, group: &Group) -> Group {
-        if !self.fuller.is_empty() {
+        // Beside their points where there is room, else on leaders.
+        for leader in [false, true].into_iter().filter(|_| !self.fuller.is_empty()) {
             let mut requests = self.labels.clone();
-            for (i, text) in &self.fuller {
+            for (i, _, text) in &self.fuller {
                 requests[*i].text = text.clone();
-                requests[*i].leader = false;
+                requests[*i].leader = leader;
             }
             let labels = place(group, &requests, None);
             let mut both = group.clone();
@@ -780,7 +790,7 @@ impl Artist<'_> {
                 .lived(born);
             request.leader = true;
             if let Some(all) = self.notation.coincident_names(id) {
-                self.fuller.push((self.labels.len(), all));
+                self.fuller.push((self.labels.len(), id, all));
             }
             self.labels.push(request);
         }

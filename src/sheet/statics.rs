@@ -1954,6 +1954,22 @@ impl Teller<'_> {
             let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
             let named = symbol(Force::Arm(action, about));
             let key = self.key_of_arm(&arm);
+            if self.has_moment(action, about) {
+                // Its line stands where its moment puts it.
+                if matches!(of, Force::Arm(..)) && !told.contains(&(action, about)) {
+                    told.push((action, about));
+                    let moment = Force::Moment(action, about);
+                    let factors = [
+                        Factor::new(own.found.moment.abs(), &units.torque, "N·m").of(self.whole(moment)),
+                        Factor::new(own.found.size, &units.force, "N").of(self.whole(Force::Vector(action))),
+                    ];
+                    let result = Factor::new(arm.length, &units.length, "m").of(self.whole(of));
+                    let formula = symbol(moment).up(OVER).then(&self.symbol(action));
+                    let line = self.line(named, formula, &factors, quotient, |n| n[0] / n[1], result);
+                    items.push(Item::Sentence(line));
+                }
+                continue;
+            }
             let line = if own.told == 0 && arm.between.is_none() {
                 let mm = arm.length / self.construction.space.metres_per_mm;
                 let (reading, length) = self.measured(key, arm.length, mm);
@@ -1984,6 +2000,12 @@ impl Teller<'_> {
             }
         }
         items
+    }
+
+    /// Whether moments of its body have told the moment of this force about this point.
+    fn has_moment(&self, action: Action, about: PointId) -> bool {
+        let moment = Turning::Torque(Force::Moment(action, about));
+        self.sheet.moments.iter().any(|moments| moments.found.of == moment)
     }
 
     /// Stiffnesses that were sought: what the spring exerts over how much it is longer, or further turned, than without load.

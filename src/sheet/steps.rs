@@ -14,8 +14,8 @@ use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use super::words::counted;
 use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term, TermDirection,
-    Vector, VectorKind,
+    Act, Calculation, CircleDiagram, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term,
+    TermDirection, Vector, VectorKind,
 };
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
@@ -85,11 +85,27 @@ pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> (T, Figures) 
     (told, next.into_inner())
 }
 
+/// Whether a step finds velocities from centres.
+fn from_centres(step: &Step) -> bool {
+    step.acts.iter().any(|act| matches!(act, Act::ByCentres(_) | Act::LayOffFromCentre { .. }))
+}
+
+/// How the centres are found, and where they lie; with the act that each line tells.
+fn told_centres(
+    circle: &CircleDiagram,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Vec<(Item, Option<usize>)> {
+    let read = super::derived::centres(construction, notation);
+    let read = read.map(|read| (Item::Sentence(read), None));
+    super::circle::items(circle, notation).into_iter().chain(read).collect()
+}
+
 fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Told> {
     let mut all: Vec<Told> = Vec::new();
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
-    let mut marked = false;
+    let (mut marked, mut centred) = (false, false);
     let mut known = Known::given(construction, notation, figures);
     tell_driven_slides(notation, figures);
     let mut conversions = Some(conversions(notation, figures));
@@ -98,6 +114,12 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         let rests = construction.diagram(step.diagram).is_some_and(Diagram::rests);
         if construction.forces.is_some() && step.diagram != DiagramKind::Skeleton && rests {
             continue;
+        }
+        // Where velocities are found from centres these come first.
+        if let Some(circle) = construction.circle.as_ref().filter(|_| !centred && from_centres(step)) {
+            centred = true;
+            let (items, acts) = told_centres(circle, construction, notation).into_iter().unzip();
+            all.push(Told { step: i, drawn: Some(Panel::Centres), items, acts });
         }
         let teller = Teller { construction, notation, step, figures };
         // Rubbing speeds of several pins stand under one head.
@@ -110,7 +132,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             told.step = i;
             continue;
         }
-        let head = Rich::bold(format!("{}.", notation.count(all.len() + 1)));
+        let head = Rich::bold(format!("{}.", notation.count(all.len() + 1 - usize::from(centred))));
         let head = head.up("\u{a0}\u{a0}").then(&teller.head());
         let mut own = Told {
             step: i,
@@ -153,6 +175,10 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             if matches!(act, Act::MeasureLength { to, .. } if stands_later(*to)) {
                 continue;
             }
+            if let Act::ByCentres(part) = act {
+                let lines = super::transfer::lines(part, construction, notation, figures);
+                lines.into_iter().for_each(|line| own.say(Item::Sentence(line), None));
+            }
             if let Some(line) = teller.act(act) {
                 own.say(Item::Sentence(line), (!matches!(act, Act::Calculate(_))).then_some(index));
             }
@@ -165,7 +191,8 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     }
     let (derived, only_units) = super::derived::sentences(construction, notation, figures);
     if !derived.is_empty() {
-        let head = Rich::bold(format!("{}.", notation.count(all.len() + 1))).up("\u{a0}\u{a0}");
+        let number = all.len() + 1 - usize::from(centred);
+        let head = Rich::bold(format!("{}.", notation.count(number))).up("\u{a0}\u{a0}");
         let words = notation.words;
         let head = head.then(&Rich::bold(if only_units { words.step_units } else { words.step_derived }));
         let items = [Item::Head(head)].into_iter().chain(derived.into_iter().map(Item::Sentence));
@@ -173,7 +200,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         let step = construction.steps.len().saturating_sub(1);
         all.push(Told { step, drawn: None, acts: vec![None; items.len()], items });
     }
-    let mut number = all.len();
+    let mut number = all.len() - usize::from(centred);
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
     let unnumbered = |items: Vec<Item>| items.into_iter().map(|item| (item, None)).collect();
@@ -182,9 +209,9 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         all.push(Told { step, drawn: Some(drawn), items, acts });
     };
     if let Some(circle) = &construction.circle {
-        let read = super::derived::centres(construction, notation);
-        let read = read.map(|read| (Item::Sentence(read), None));
-        more(Panel::Centres, super::circle::items(circle, notation).into_iter().chain(read).collect());
+        if !centred {
+            more(Panel::Centres, told_centres(circle, construction, notation));
+        }
         for (index, mut items) in
             super::transfer::items(circle, construction, notation, figures).into_iter().enumerate()
         {
@@ -851,6 +878,17 @@ impl Teller<'_> {
                     None => told,
                 }
             }
+            Act::RollStraight { wheel, centre } => Rich::fill(
+                words.rolls_straight,
+                &[("link", Rich::upright(n.number(*wheel))), ("point", n.point(*centre))],
+            ),
+            Act::LeaveOutNormals { contact, centre } => Rich::fill(
+                words.leave_out_normals,
+                &[
+                    ("point", n.point(*contact)),
+                    ("line", n.claim(Claim::Parallel(Reference::Points(*centre, *contact)))),
+                ],
+            ),
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,
@@ -985,6 +1023,8 @@ impl Teller<'_> {
                 let value = human::with_unit(&value, &length_unit.symbol);
                 measured_length(n.length(*from, *to), [mm, value], per_mm, n)
             }
+            // Told in lines of its own.
+            Act::ByCentres(_) => return None,
             Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, diagram))]),
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
@@ -1070,14 +1110,13 @@ impl Teller<'_> {
                 };
                 if touches { Rich::fill(words.no_slip, &[("same", same)]) } else { same }
             }
-            Act::LayOffFromCentre { vector, link, value, mm } => {
+            Act::LayOffFromCentre { vector, link, mm, .. } => {
                 let vector = self.vector(*vector)?;
                 Rich::fill(
                     words.lay_off_from_centre,
                     &[
                         ("centre", super::circle::name([LinkId::FRAME, *link], n)),
                         ("vector", self.name(vector)),
-                        ("value", human::quantity(*value, &n.unit(diagram.dimension()))),
                         ("image", n.image_line(vector.tail, vector.head, diagram)),
                         ("mm", human::millimetres(*mm)),
                     ],
@@ -1591,8 +1630,12 @@ impl Teller<'_> {
                 )
             };
             told = standing.filter_map(from).collect();
-            // One distance leads to the guide on which the point is.
-            told.extend(self.guide_led_by(point).filter(|_| told.len() == 1));
+            // One distance leads to the guide on which the point is, or to a line whose direction is told.
+            if told.len() == 1 {
+                let standing = body.points.iter().copied().find(|p| *p != point && known(*p));
+                let direction = || standing.and_then(|base| self.direction_in_link(link, base, point));
+                told.extend(self.guide_led_by(point).or_else(direction));
+            }
         }
         if told.is_empty() {
             return Rich::fill(n.words.transfer_point, &[own, number]);
@@ -1714,6 +1757,37 @@ impl Teller<'_> {
         let (sign, line) =
             n.mechanism().slides.iter().find_map(|slide| super::given::held_along(slide, link, n))?;
         Some(Rich::upright(sign).up("\u{a0}").then(&line))
+    }
+
+    /// The direction from one point of a link to another, both by own coordinates: against the line to the centre of the arc
+    /// that the link carries, or against the horizontal where a guide of the frame keeps the link from turning.
+    fn direction_in_link(&self, link: LinkId, base: PointId, point: PointId) -> Option<Rich> {
+        let n = self.notation;
+        let body = n.mechanism().link(link);
+        let own = |p: PointId| {
+            let index = body.points.iter().position(|of| *of == p)?;
+            match &body.form {
+                Form::Shape(places) => places.get(index).map(|at| at.map(|given| given.value)),
+                _ => None,
+            }
+        };
+        let slides = &n.mechanism().slides;
+        let carried = slides.iter().filter(|slide| slide.guide.link == link);
+        let centre = carried.filter_map(|slide| self.centre_of_slot(link, slide.guide.path)).next();
+        if let (Some((joint, [x, y])), Some(from), Some(to)) = (centre, own(base), own(point))
+            && joint == base
+        {
+            let turned = libm::atan2(to[1] - from[1], to[0] - from[0]) - libm::atan2(y, x);
+            let angle = libm::remainder(turned, std::f64::consts::TAU);
+            let told = human::degrees(angle.abs()).word(n.sense(angle));
+            let parts = [("line", n.length(base, point)), ("angle", told)];
+            return Some(Rich::fill(n.words.from_centre_line, &parts));
+        }
+        let is_held = super::given::only_translates(link, n.mechanism(), 0);
+        let (from, to) = (self.at(base)?, self.at(point)?);
+        let angle = libm::atan2(to[1] - from[1], to[0] - from[0]);
+        let parts = [("line", n.length(base, point)), ("angle", human::degrees(angle))];
+        is_held.then(|| Rich::fill(n.words.stated_ray, &parts))
     }
 
     /// Whether a vector ends in a known point and begins in a new one.

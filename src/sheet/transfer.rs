@@ -17,9 +17,9 @@ use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::steps::Item;
 use crate::graphical::construction::{
-    Centre, CentrePlace, CircleDiagram, Construction, Mm2, Spot, Transfer, TransferAct, TransferInk,
+    Act, Centre, CentrePlace, CircleDiagram, Construction, Mm2, Spot, Transfer, TransferAct, TransferInk,
 };
-use crate::mechanism::quantity::{Dimension, Method, Order, Quantity, Unit};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::chord;
 
@@ -152,8 +152,12 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
             overlay.ink.group(own);
             let primed = notation.point(*of).up("′");
             let request = leader(primed, to, 0.6, "label");
-            // A pin between two links is turned once.
-            if !overlay.labels.contains(&request) {
+            // A pin between two links is turned once, but for rounding.
+            let is_there = |other: &Request| {
+                let near = matches!(other.sites.first(), Some(Site::Around { at, .. }) if at.distance(to) < TOGETHER);
+                near && other.text == request.text
+            };
+            if !overlay.labels.iter().any(is_there) {
                 overlay.labels.push(request);
             }
             return;
@@ -212,6 +216,21 @@ fn name_turning(
                 leader(name(pole, notation).up("\u{a0}").then(&far), border, 0.6, "label centre-name");
             if !overlay.labels.contains(&request) {
                 overlay.labels.push(request);
+            }
+        }
+        TransferInk::LineOfCentres { from, to } | TransferInk::Radius { from, to } => {
+            for (end, other) in [(from, to), (to, from)] {
+                let (at, inside) = (page(end), page(other));
+                let Some((_, t1)) = clip(inside, at, window).filter(|_| !window.contains(at)) else {
+                    continue;
+                };
+                let here = |centre: &&Centre| matches!(centre.place, CentrePlace::At(own) if page(own).distance(at) < TOGETHER);
+                let Some(centre) = circle.centres.iter().find(here) else { continue };
+                let border = inside.lerp(at, t1);
+                let metres = at.distance(border) * construction.space.metres_per_mm;
+                let far = human::quantity(metres, &notation.scene.units.length);
+                let text = name(centre.links, notation).up("\u{a0}").then(&far);
+                overlay.labels.push(leader(text, border, 0.6, "label centre-name"));
             }
         }
         TransferInk::Arc { centre, from, to } => {
@@ -409,9 +428,16 @@ pub fn items(
         let mut all = vec![Item::Head(title(&same, notation).bolder())];
         let Some(si_per_mm) = same.first().map(|first| first.si_per_mm) else { continue };
         // Each method has readings of its own.
-        let own = RefCell::new(figures.borrow().of_inputs(Apart::Transfer(index), notation));
+        let derived = |act: &Act| matches!(act, Act::ByCentres(_));
+        let fed = construction.steps.iter().flat_map(|step| &step.acts).any(derived);
+        let own = figures.borrow().of_inputs(Apart::Transfer(index), notation);
+        let own = if fed { own.with_driven_points(&figures.borrow(), notation) } else { own };
+        let own = RefCell::new(own);
         let metres_per_mm = construction.space.metres_per_mm;
-        let teller = Teller { notation, metres_per_mm, si_per_mm, figures: &own };
+        // What the steps have derived by the same method stands as they have printed it.
+        let shared = fed && same.iter().all(|transfer| transfer.method == Method::Centres);
+        let figures_here = if shared { figures } else { &own };
+        let teller = Teller { notation, metres_per_mm, si_per_mm, figures: figures_here };
         let mut told: Vec<&TransferAct> = Vec::new();
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
@@ -424,6 +450,19 @@ pub fn items(
         every.push(all);
     }
     every
+}
+
+/// The lines of a part by which a velocity is found that a diagram takes up: what it measures, and what it comes to.
+pub(super) fn lines(
+    part: &TransferAct,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
+) -> Vec<Rich> {
+    let Some(diagram) = construction.diagram(DiagramKind::Velocity) else { return Vec::new() };
+    let metres_per_mm = construction.space.metres_per_mm;
+    let teller = Teller { notation, metres_per_mm, si_per_mm: diagram.si_per_mm, figures };
+    teller.measured(part).into_iter().chain([teller.sentence(part)]).collect()
 }
 
 struct Teller<'a> {
@@ -642,9 +681,13 @@ impl Teller<'_> {
                 Rich::fill(words.transfer_omega, &parts)
             }
             TransferAct::OmegaByParallel { link, from, to, mm, omega } => {
-                let reckon =
-                    |[a, b]: [f64; 2]| (a - b).abs() * self.si_per_mm / (b * self.metres_per_mm) / w.si;
-                let [a, b] = human::readings(mm, omega.abs() / w.si, reckon);
+                // A′B′ may lie against AB: then both together are what the velocities differ by.
+                let against = mm[0] < 0.0;
+                let reckon = |[a, b]: [f64; 2]| {
+                    let apart = if against { a + b } else { (a - b).abs() };
+                    apart * self.si_per_mm / (b * self.metres_per_mm) / w.si
+                };
+                let [a, b] = human::readings(mm.map(f64::abs), omega.abs() / w.si, reckon);
                 let (key, omega_si, _) = rate(link, omega);
                 let value = self.figures.borrow_mut().tell(key, omega_si, &w);
                 let (v, unit) = (self.notation.unit(Dimension::Velocity), &self.notation.scene.units.length);
@@ -665,7 +708,7 @@ impl Teller<'_> {
                     ("b", b),
                     ("value", self.turning(&value, omega)),
                 ];
-                Rich::fill(words.transfer_omega_by_parallel, &parts)
+                Rich::fill(words.transfer_omega_by_parallel[usize::from(against)], &parts)
             }
         }
     }

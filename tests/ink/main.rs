@@ -217,6 +217,17 @@ impl Reading<'_> {
             .unwrap_or_else(|| panic!("no vector tells how link {number} turns"));
         let polygon = self.polygon(order);
         let arm = self.radius_along(minus(self.joint(contact), self.joint(centre)), radius.value);
+        // On a straight line at rest the centre keeps its distance: what it has is what turning about the contact gives.
+        let on_line = self.mechanism.rolls.iter().any(
+            |roll| matches!(roll, Roll::Line { wheel: w, guide, .. } if *w == wheel && guide.link == LinkId::FRAME),
+        );
+        let own = format!("a({})", self.name(centre));
+        if let (Order::Acceleration, true, Some(vector)) = (order, on_line, polygon.vector(&own)) {
+            return match vector.along() {
+                Some(along) => self.turn(arm.map(|mm| -mm), along, polygon.scale),
+                None => Read::Exempt(format!("{own} is drawn as a point")),
+            };
+        }
         let along = |name: &str| {
             let vector = polygon.vector(name).unwrap_or_else(|| panic!("no vector stands for {name}"));
             vector.along().ok_or_else(|| Read::Exempt(format!("{name} is drawn as a point")))

@@ -2,7 +2,7 @@
 //! (`s000-ch3b` A 20): centres give no accelerations, but all that the normal parts and Coriolis need.
 
 use crate::board::Line;
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Method, Order, Quantity};
 use crate::mechanism::structure::GroupKind;
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
@@ -44,16 +44,30 @@ pub(in super::super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(),
 }
 
 impl Draughtsman<'_> {
+    /// What is found from centres, with every line that leads to it, each told once.
+    fn derived<T>(&mut self, find: impl FnOnce(&mut Self) -> Result<T, Why>) -> Result<T, Why> {
+        // The lines of a transfer that nobody asked for belong to this step.
+        self.open_transfer(0, Method::Centres);
+        let found = find(self);
+        let told = self.transfers_mut().and_then(Vec::pop).map(|transfer| transfer.acts).unwrap_or_default();
+        for act in told.into_iter().map(Act::ByCentres) {
+            if !self.record().steps.iter().any(|step| step.acts.contains(&act)) {
+                self.act(act);
+            }
+        }
+        found
+    }
+
     /// ω of a link and the velocities of its points, from its centre.
     fn lay_off_velocities(&mut self, link: LinkId) -> Result<(), Why> {
-        let omega = self.omega_of(link, false)?;
+        let omega = self.derived(|d| d.omega_of(link, true))?;
         self.set_rate(Order::Velocity, link, omega);
         for point in self.mechanism.link(link).points.clone() {
             let standing = self.places[point.0].is_some() && !self.mechanism.is_fixed(point);
             if !standing || self.motion(Order::Velocity).images[point.0].is_some() {
                 continue;
             }
-            let velocity = self.velocity_of_point(point, link, false)?;
+            let velocity = self.derived(|d| d.velocity_of_point(point, link, true))?;
             let scale = self.polygon_scale(Order::Velocity);
             let by = velocity.map(|v| self.board.to_paper(v, scale));
             let pole = self.board.origin();

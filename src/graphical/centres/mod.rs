@@ -138,7 +138,10 @@ impl Draughtsman<'_> {
 
     /// Marks the centres that are seen from the pairs.
     fn primary_centres(&mut self, plan: &CentrePlan) {
-        let takes_part = |c: &Chord| c.iter().all(|l| plan.links.contains(l)) && !plan.barred.contains(c);
+        // Where the whole skeleton stands every pair is seen, whether a wanted centre needs it or not.
+        let whole = self.places.iter().all(Option::is_some);
+        let needed = |c: &Chord| c.iter().all(|l| plan.links.contains(l));
+        let takes_part = |c: &Chord| (whole || needed(c)) && !plan.barred.contains(c);
         for index in 0..self.mechanism.points.len() {
             let (point, links) = (PointId(index), &self.mechanism.points[index].links);
             let Some(at) = self.places[index] else { continue };
@@ -166,7 +169,7 @@ impl Draughtsman<'_> {
                 }
                 Rider::Pin { block: None, point } => {
                     for link in self.mechanism.point(point).links.clone() {
-                        if link != guide && takes_part(&chord(link, guide)) {
+                        if link != guide && needed(&chord(link, guide)) && takes_part(&chord(link, guide)) {
                             self.normal_of_contact(slide, chord(link, guide), point);
                         }
                     }

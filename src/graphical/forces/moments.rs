@@ -3,7 +3,7 @@
 use crate::board::{Line, Point};
 use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought, SpringKind};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{LinkId, Path, PointId, Rider};
 
 use super::super::construction::About as Told;
 use super::super::construction::{
@@ -138,7 +138,55 @@ impl Draughtsman<'_> {
             }
             all.push(balance);
         }
+        for slide in 0..self.mechanism.slides.len() {
+            let placed = self.line_in_guide(slide, &all, bodies);
+            all.extend(placed);
+        }
         all
+    }
+
+    /// Where a couple shifts what a straight guide exerts on its rider: the moments of the rider, which no balance has told yet.
+    fn line_in_guide(
+        &mut self,
+        slide: usize,
+        told: &[MomentBalance],
+        bodies: &[FreeBody],
+    ) -> Option<MomentBalance> {
+        let guide = self.mechanism.slides[slide].guide;
+        let (rider, pin) = match self.mechanism.slides[slide].rider {
+            Rider::Pin { block: Some(block), point } => (block, point),
+            Rider::Link { link, .. } => (link, *self.mechanism.link(link).points.first()?),
+            Rider::Pin { block: None, .. } => return None,
+        };
+        let pair = Action::Pair { by: guide.link, on: rider };
+        let is_told = |moments: &MomentBalance| match moments.found.of {
+            Turning::Torque(Force::Moment(of, _)) => same_pair(of, pair),
+            _ => false,
+        };
+        if !matches!(guide.path, Path::Straight { .. }) || told.iter().any(is_told) {
+            return None;
+        }
+        let items = self.items_of(pair, self.told).ok()?;
+        if items.iter().filter_map(|item| item.couple).all(|couple| couple.value() == 0.0) {
+            return None;
+        }
+        let couple = Turning::Torque(Force::Moment(Action::Pair { by: rider, on: guide.link }, pin));
+        let mut moments = self.couple_told(couple, usize::MAX, bodies)?;
+        // What the body's own polygon gives is known after it.
+        let body = bodies.get(moments.told)?;
+        let open = |acting: &Acting| acting.known != Knowledge::Full && !same_pair(acting.action, pair);
+        let used = |acting: &Acting| {
+            moments.terms.iter().any(|term| matches!(term.of, Turning::Force(of) if of == acting.action))
+        };
+        if body.acting.iter().any(|acting| open(acting) && used(acting)) {
+            moments.told += 1;
+        }
+        // The moments of all else are what the guide has to take up, or something has none that could be told.
+        let at = self.at(pin);
+        let own = self.moments(&items, at)?.value();
+        let largest = moments.terms.iter().map(|term| term.moment.abs()).fold(0.0, f64::max);
+        let closes = (own - moments.found.moment).abs() <= CLOSED * largest;
+        (closes && moments.told < bodies.len()).then_some(moments)
     }
 
     /// The force of an arc on a block that something turns, or that of the block on the arc: along the line from the place

@@ -1,0 +1,376 @@
+//! What an examiner marked on sheets: a line that uses other numbers than stand above it, a quantity that no line derives, a
+//! construction without its reason, a symbol that nobody explains.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+use std::collections::HashMap;
+
+use crate::common;
+use crate::legibility::{characters, has, number, reckoned, sentences, within};
+
+use linkgram::mechanism::quantity::{Answer, DiagramKind, Quantity};
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::sheet::figure::Node;
+use linkgram::sheet::{self, Figure, Language};
+use linkgram::solve::Solved;
+
+fn solved(scene: &Scene) -> Solved {
+    linkgram::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap()
+}
+
+fn solution(scene: &Scene) -> Figure {
+    sheet::solution(scene, &solved(scene).solution.construction, Language::English)
+}
+
+/// The sentences with plain blanks.
+fn told(figure: &Figure) -> Vec<String> {
+    sentences(figure).into_iter().map(|line| line.replace(['\u{a0}', '\u{2009}'], " ")).collect()
+}
+
+/// The question sheet as one text with plain blanks.
+fn question(scene: &Scene) -> String {
+    let figure = sheet::question(scene, &solved(scene).solution.construction, Language::English);
+    let mut all = String::new();
+    figure.root.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            all.push_str(&characters(text).replace(['\u{a0}', '\u{2009}'], " "));
+            all.push(' ');
+        }
+    });
+    all
+}
+
+/// The value at the end of a line, before its unit.
+fn value_of(text: &str) -> f64 {
+    number(text.trim()).unwrap_or_else(|| panic!("no number in {text}")).0
+}
+
+const PRESS: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]},
+    "links": {"2": {"joins": ["O2", "A"], "length": 80}, "3": {"joins": ["A", "B"], "length": 320}},
+    "slides": [{"pin": "B", "block": 4, "on": {"link": 1, "through": "O2", "angle": -90}}], "near": {"B": [0, -300]},
+    "input": {"link": 2, "angle": 10, "omega": "90 rpm ccw"}, "gravity": {},
+    "masses": {"4": {"mass": 60}, "3": {"mass": 12, "at": [120, 0], "inertia": 0.1}},
+    "loads": [{"name": "P", "on": 4, "direction": 90,
+        "force": {"table": [[0, 0], [230, 0], [230, "20 kN"], [262, "8 kN"], [262, 0]]}}],
+    "cycle": {"load": {"of": 2}, "fluctuation": 0.1, "rotating": [{"inertia": 1.5, "ratio": 4}]},
+    "find": ["Tmean", "E", "Ef", "If", "I", "Ke", "level(1)", "level(2)", "power"]}"#;
+
+const FOUR_COPIES: &str = r#"{"links": {}, "input": {"omega": "1500 rpm"}, "cycle": {
+    "torque": {"table": [[0, 0], [30, 900], [90, 400], [180, 0], [360, 0], [450, -60], [540, 0], [630, -120]]},
+    "period": 720, "copies": {"number": 4, "shift": 180}, "rotating": [{"inertia": 0.8}]},
+    "find": ["Tmean", "E", "power", "Emax", "Emin", "Ef", "Ke", "Ks", "I"]}"#;
+
+const WAVES: &str = r#"{"units": {"torque": "kN*m", "length": "mm"}, "links": {}, "input": {"omega": "25 rad/s"}, "cycle": {
+    "torque": {"harmonics": {"constant": 5, "sin": [[2, 2.2], [3, 0.4]], "cos": [[1, -1]]}},
+    "load": {"harmonics": {"constant": 5, "cos": [[1, 1.7]]}}, "fluctuation": 0.03,
+    "rotating": [{"weight": "2 kN", "gyration": 400, "ratio": 2}]},
+    "find": ["Tmean", "power", "Ef", "Emax", "Emin", "If", "I", "level(1)", "level(2)", "area(2)"]}"#;
+
+/// The parts of a sum of symbols or numbers: `E_1 + A_1`, `511.89 − (−4.21)`.
+fn parts(text: &str) -> Vec<String> {
+    let text =
+        text.replace(" × ", "\u{1}").replace(" / ", "\u{1}").replace(" + ", "\u{1}").replace(" − ", "\u{1}");
+    let bare = |part: &str| part.trim_matches([' ', '(', ')', '|']).trim_end_matches('²').replace("^2", "");
+    text.split('\u{1}').map(bare).collect()
+}
+
+/// Every line of a turning-moment diagram comes out of its own printed numbers, and takes those that stand above it.
+#[test]
+fn lines_of_a_cycle_take_what_stands_above_them() {
+    let (mut uses, mut lines, mut wrong) = (0, 0, Vec::new());
+    let scenes = [("press", PRESS), ("four copies", FOUR_COPIES), ("waves", WAVES)];
+    let mut all: Vec<(String, Scene)> =
+        scenes.into_iter().map(|(name, text)| (name.to_owned(), common::read(text))).collect();
+    all.extend(common::scenes().into_iter().filter(|(_, scene)| scene.mechanism.forces.cycle.is_some()));
+    for (name, scene) in &all {
+        let mut printed: HashMap<String, f64> = HashMap::new();
+        let sheet = told(&solution(scene));
+        let begins = sheet.iter().position(|line| line.starts_with("E_") || line.starts_with("A_1"));
+        for line in &sheet[begins.unwrap_or(0)..] {
+            let equal: Vec<&str> = line.trim_end_matches('.').split('=').map(str::trim).collect();
+            // A result may stand in a second unit.
+            for pair in equal.windows(2) {
+                let (Some(value), Some((own, half, _))) = (reckoned(pair[0]), number(pair[1])) else {
+                    continue;
+                };
+                lines += 1;
+                if (value - own).abs() > half * (1.0 + 1e-6) {
+                    wrong.push(format!("{name}: {line} gives {value}"));
+                }
+            }
+            let [of, symbols, numbers, result, ..] = equal[..] else { continue };
+            let (symbols, numbers) = (parts(symbols), parts(numbers));
+            if symbols.len() == numbers.len() {
+                for (symbol, own) in symbols.iter().zip(&numbers) {
+                    let (Some(before), Some((own, ..))) = (printed.get(symbol), number(own)) else {
+                        continue;
+                    };
+                    uses += 1;
+                    // In another unit it has the same figures.
+                    let tens = libm::log10((own / before).abs());
+                    if (tens - libm::round(tens)).abs() > 1e-9 {
+                        wrong.push(format!("{name}: {line}, but {symbol} is {before}"));
+                    }
+                }
+            }
+            if let Some((value, ..)) = number(result) {
+                printed.insert(of.to_owned(), value);
+            }
+        }
+    }
+    assert!(lines > 60 && uses > 40, "{lines} lines, {uses} uses");
+    assert!(wrong.is_empty(), "{} of {lines}: {wrong:#?}", wrong.len());
+}
+
+/// What turns at another speed than the input has a name of its own, and so has its speed.
+#[test]
+fn the_ratio_of_what_turns_with_the_input_is_named() {
+    let lines = told(&solution(&common::read(PRESS)));
+    let line = lines.iter().find(|line| line.starts_with("I = ")).unwrap();
+    assert_eq!(line, "I = I′ × (ω′/ω_2)² = 1.5 × 4² = 24 kg·m²");
+}
+
+const SHAPER: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [0, -120]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 46.8}, "4": {"joins": ["O4", "C"], "length": 205.2},
+    "5": {"joins": ["C", "D"], "length": 120.1}}, "slides": [
+    {"pin": "A", "block": 3, "on": {"link": 4, "through": "O4", "toward": "C"}},
+    {"pin": "D", "block": 6, "on": {"link": 1, "through": [0, 90], "angle": 0}}],
+    "near": {"C": [65, 90], "D": [-50, 90]}, "input": {"link": 2, "angle": 97, "omega": "293 rpm cw"}}"#;
+
+const LEVER: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [0, -140]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 59.3}, "4": {"joins": ["O4", "B"], "length": 242.8}},
+    "slides": [{"pin": "A", "block": 3, "on": {"link": 4, "through": "O4", "toward": "B"}}],
+    "near": {"B": [60, 90]}, "input": {"link": 2, "angle": 217, "omega": "229 rpm ccw"}}"#;
+
+/// ω of the lever in closed form: the pin A on the crank, seen from the pivot of the lever.
+fn lever(crank: f64, below: f64, degrees: f64, omega: f64) -> f64 {
+    let (sin, cos) = libm::sincos(degrees.to_radians());
+    let [x, y] = [crank * cos, below + crank * sin];
+    let [vx, vy] = [-crank * omega * sin, crank * omega * cos];
+    (x * vy - y * vx) / (x * x + y * y)
+}
+
+/// The steps come to the third figure of what is true.
+#[test]
+fn readings_give_the_third_figure_of_a_rate() {
+    let rate = |rpm: f64| rpm * std::f64::consts::TAU / 60.0;
+    let cases =
+        [(SHAPER, lever(46.8, 120.0, 97.0, -rate(293.0))), (LEVER, lever(59.3, 140.0, 217.0, rate(229.0)))];
+    for (scene, truth) in cases {
+        let lines = told(&solution(&common::read(scene)));
+        let line = lines.iter().find(|line| line.starts_with("ω_4 = V")).unwrap();
+        let own = value_of(line.rsplit('=').next().unwrap());
+        assert_eq!(format!("{own:.2e}"), format!("{:.2e}", truth.abs()), "{line}");
+    }
+}
+
+const RAIL: &str = r#"{"units": {"length": "in"}, "fixed": {"O2": [0, 0]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 1.7}, "3": {"joins": ["A", "B"], "length": 6.1}, "4": {"joins": ["B"]}},
+    "rolls": [{"links": [1, 4], "line": {"link": 1, "through": [0, -2], "angle": 5}, "centre": "B", "radius": 1.5}],
+    "near": {"B": [6, 0]}, "input": {"link": 2, "angle": 125, "omega": "70 rpm ccw", "alpha": "5 rad/s^2 cw"}}"#;
+
+const GEARS: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [70, 60]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 18}, "3": {"joins": ["B"]}, "4": {"joins": ["O4", "B"], "length": 82}},
+    "rolls": [{"links": [2, 3], "centres": ["A", "B"], "radii": [28, 16]}], "near": {"B": [10, 50]},
+    "input": {"link": 2, "angle": 100, "omega": "150 rpm ccw"}}"#;
+
+const RING: &str = r#"{"units": {"length": "mm"}, "fixed": {"O": [0, 0]}, "placed": {"B": [90, 143.92304845413264]},
+    "links": {"2": {"joins": ["O", "A"], "length": 120}, "3": {"joins": ["A", "B"], "length": 50},
+    "4": {"joins": ["B", "C"], "length": 360}},
+    "slides": [{"pin": "C", "block": 5, "on": {"link": 1, "through": "O", "angle": 0}}],
+    "rolls": [{"links": [1, 3], "centres": ["O", "A"], "radii": [200, 80], "internal": true}], "near": {"C": [430, 0]},
+    "input": {"link": 2, "angle": 60, "omega": "180 rpm cw"}, "find": ["v(B)", "a(B)", "a(C)", "I(1,3)"]}"#;
+
+/// A wheel on a rail has A = α r; of other contacts the reason is told why a line is drawn along the common normal.
+#[test]
+fn the_acceleration_of_a_wheel_has_its_reason() {
+    let rail = common::read(RAIL);
+    let lines = told(&solution(&rail));
+    let reason =
+        lines.iter().position(|line| line.starts_with("Link 4 rolls on a straight line at rest: B keeps"));
+    let line = &lines[reason.unwrap() + 1];
+    assert!(line.starts_with("α_4 = A_B / PB = "), "{line}");
+    // A wheel of radius r that keeps to its rail.
+    let construction = solved(&rail).solution.construction;
+    let answer = |quantity: Quantity| {
+        let index = rail.mechanism.asked.iter().position(|asked| asked.quantity == quantity).unwrap();
+        match construction.answers[index].answer {
+            Answer::Scalar { value, .. } => value.abs(),
+            Answer::Vector { value: [x, y], .. } => libm::hypot(x, y),
+            ref other => panic!("{other:?}"),
+        }
+    };
+    let (centre, wheel) =
+        (rail.mechanism.point_named("B").unwrap(), rail.mechanism.link_numbered(4).unwrap());
+    let by_law = answer(Quantity::Acceleration(centre)) / (1.5 * 0.0254);
+    assert!((answer(Quantity::Alpha(wheel)) - by_law).abs() < 1e-9 * by_law);
+    for (name, scene) in [("gears", GEARS), ("ring", RING)] {
+        let lines = told(&solution(&common::read(scene)));
+        let along = lines.iter().position(|line| {
+            line.starts_with("Through o′ draw a line ∥ AP")
+                || line.starts_with("Through p′_2,1 draw a line ∥ BP")
+        });
+        let before = &lines[..along.unwrap_or_else(|| panic!("{name}: {lines:#?}"))];
+        let told = before.iter().rev().take(3).any(|line| line.contains("the tangential parts are equal"));
+        assert!(told, "{name}: {before:#?}");
+    }
+}
+
+/// All pairs of the ring are seen, (15) of the slide at infinity among them.
+#[test]
+fn all_primary_centres_are_listed() {
+    let lines = told(&solution(&common::read(RING)));
+    let list = lines.iter().find(|line| line.starts_with("Primary centres")).unwrap();
+    for centre in ["(12)", "(23)", "(13)", "(34)", "(45)", "(15)∞"] {
+        assert!(list.replace("^∞", "∞").contains(centre), "{centre}: {list}");
+    }
+}
+
+const BY_CENTRES: &str = r#"{"units": {"length": "cm"}, "fixed": {"O2": [0, 0], "O4": [34, 4]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 12}, "3": {"joins": ["A", "B", "C"], "sides": [30, 16, 24]},
+    "4": {"joins": ["O4", "B"], "length": 20}}, "near": {"B": [32, 24], "C": [14, 34]},
+    "input": {"link": 2, "angle": 70, "omega": "90 rpm cw"},
+    "find": [{"name": "a(C)", "method": "centres"}, {"name": "alpha(4)", "method": "centres"}, "I(2,4)"]}"#;
+
+/// What feeds accelerations from centres is derived: ω₃ by the common centre, then V = ω times its distance from the pole.
+#[test]
+fn velocities_by_centres_that_feed_accelerations_are_derived() {
+    let lines = told(&solution(&common::read(BY_CENTRES)));
+    let at = |beginning: &str| {
+        let found = lines.iter().position(|line| line.contains(beginning));
+        found.unwrap_or_else(|| panic!("{beginning} stands nowhere: {lines:#?}"))
+    };
+    let steps = [
+        "N = 4 (4 − 1) / 2",
+        "Measured: (12–23) = ",
+        "ω_3 = ω_2 · (12–23) / (13–23)",
+        "Measured: (13–B) = ",
+        "V_B = ω_3 (13–B)",
+        "Lay off V_B = ob",
+        "A^n_B = V^2_B / O_4B",
+    ];
+    let order: Vec<usize> = steps.iter().map(|step| at(step)).collect();
+    assert!(order.is_sorted(), "{order:?}");
+    // The speed that is squared is the one that was told.
+    let speed = value_of(lines[order[4]].split('=').nth(2).unwrap());
+    let squared = lines[order[6]].split('=').nth(1).unwrap();
+    let told = lines[order[4]].rsplit('=').next().unwrap().trim().split(' ').next().unwrap();
+    assert!(lines[order[6]].contains(&format!("{told}²")), "{told}, {speed}: {squared}");
+}
+
+const BLOCK: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 50}, "3": {"joins": ["A", "B"], "length": 180}},
+    "slides": [{"pin": "B", "block": 4, "on": {"link": 1, "through": [0, 0], "angle": -20}}], "near": {"B": [200, -70]},
+    "input": {"link": 2, "angle": 60, "omega": "30 rad/s cw", "alpha": 100}, "gravity": {},
+    "masses": {"4": {"mass": 4, "at": [15, 20], "inertia": 0.004}}, "loads": [
+    {"name": "P", "on": 4, "at": [30, 12], "force": [-400, 50], "in": 4}, {"name": "C", "on": 4, "torque": "3 N*m ccw"}],
+    "find": ["T(2)", "F(1,4)", "moment(F(1,4),B)", "F(3,4)", "Fin(4)", "arm(F(1,4),B)"]}"#;
+
+/// A couple shifts what the guide exerts: moments of the block about its pin place it.
+#[test]
+fn what_a_couple_shifts_is_placed_by_moments() {
+    let scene = common::read(BLOCK);
+    let lines = told(&solution(&scene));
+    let moments = lines.iter().find(|line| line.starts_with("Moments of link 4 about B: M_B(F_14) = "));
+    let moments = moments.unwrap_or_else(|| panic!("{lines:#?}"));
+    let own = value_of(moments.rsplit('=').next().unwrap());
+    // P and the couple as they are stated, the weight 20° off the block's own axes, the inertia force along the guide.
+    let construction = solved(&scene).solution.construction;
+    let inertia = scene.mechanism.asked.iter().zip(&construction.answers).nth(4).unwrap().1;
+    let Answer::Vector { value: [x, y], .. } = inertia.answer else { panic!("no vector") };
+    let (sin, cos) = libm::sincos((-20.0_f64).to_radians());
+    let along = x * cos + y * sin;
+    let arm = 0.015 * cos - 0.020 * sin;
+    let sum = 0.030 * 50.0 + 0.012 * 400.0 + 3.0 - 4.0 * 9.81 * arm - 0.020 * along;
+    assert!((own - sum.abs()).abs() < 5e-3, "{own}, by hand {sum}: {moments}");
+    let arm = lines.iter().find(|line| line.starts_with("a_B(F_14) = ")).unwrap();
+    assert!(arm.starts_with("a_B(F_14) = M_B(F_14) / F_14 = "), "{arm}");
+}
+
+/// Of every symbol of a question it is said what it is.
+#[test]
+fn questions_explain_their_symbols() {
+    let governor = common::read(
+        r#"{"units": {"length": "mm"}, "fixed": {"O": [0, 0]}, "placed": {"B": [150, -200], "S": [0, -400]},
+        "links": {"2": {"joins": ["O", "B"]}, "3": {"joins": ["B", "S"]}},
+        "slides": [{"pin": "S", "block": 4, "on": {"link": 1, "through": "O", "angle": 90}, "drag": 20}],
+        "input": {"link": 2}, "gravity": {}, "masses": {"2": {"mass": 4, "at": "B"}, "4": {"mass": 24}},
+        "spin": {"axis": {"through": [0, 0], "angle": 90}, "omega": "?", "balls": 2, "sleeve": 4},
+        "find": ["spin(rising)", "spin(falling)"]}"#,
+    );
+    let text = question(&governor);
+    assert!(text.contains("friction of the sleeve F_f = 20 N"), "{text}");
+    assert!(text.contains("what acts on link 4 is given for the whole"), "{text}");
+    let punch = common::read(
+        r#"{"units": {"length": "mm", "torque": "N*m"}, "links": {}, "input": {"omega": "240 rpm"},
+        "cycle": {"torque": {"harmonics": {"constant": 120, "sin": [[1, 85], [2, -60]], "cos": [[2, 35]]}},
+        "rotating": [{"mass": 40, "gyration": "180 mm"}], "fluctuation": 0.02}, "find": ["Ef", "If"]}"#,
+    );
+    let text = question(&punch);
+    for said in [
+        "the load torque is constant",
+        "period θ_C = 360°",
+        "the coefficient of fluctuation of speed K_s = 0.02",
+        "turning with the input: M = 40 kg, ρ = 180 mm",
+    ] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let weighed = common::read(
+        r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [300, -40]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 90}, "3": {"joins": ["A", "B"], "length": 260},
+        "4": {"joins": ["O4", "B"], "length": 200}}, "near": {"B": [290, 150]},
+        "input": {"link": 2, "angle": 55, "omega": "180 rpm ccw"}, "gravity": {},
+        "masses": {"3": {"mass": 4, "at": [130, 20], "inertia": 0.03}},
+        "find": ["T(2)", "T(2).static", "T(2).inertia", "FS"]}"#,
+    );
+    let text = question(&weighed);
+    for said in ["(from weights and loads alone)", "(from inertia alone)", "(shaking force)"] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let text = question(&common::read(LEVER));
+    assert!(text.contains("A_2,A_3,A_4") || text.contains("A_2, A_3, A_4"), "{text}");
+}
+
+/// A point that one distance alone holds has a direction as well.
+#[test]
+fn one_distance_and_a_direction_mark_a_point() {
+    let ram = common::read(
+        r#"{"units": {"length": "cm"}, "fixed": {"O2": [0, 0], "O6": [50, -8]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 12}, "3": {"joins": ["A", "B"], "length": 38},
+        "4": {"joins": ["B", "T"], "shape": {"B": [0, 0], "T": [10, 9]}}, "5": {"joins": ["T", "S"], "length": 24},
+        "6": {"joins": ["O6", "S"], "length": 16}},
+        "slides": [{"link": 4, "on": {"link": 1, "through": [0, -4], "angle": 10}}],
+        "near": {"B": [44, 4], "S": [70, -3]}, "input": {"link": 2, "angle": 140, "omega": "100 rpm cw"}}"#,
+    );
+    let lines = told(&solution(&ram));
+    let mark = lines.iter().find(|line| line.starts_with("Mark T on link 4")).unwrap();
+    // Its own axes lie along the guide.
+    let angle = 10.0 + libm::atan2(9.0, 10.0).to_degrees();
+    let near = |text: &str| (value_of(text) - angle).abs() < 0.05;
+    let own = mark.split("and BT at ").nth(1).unwrap_or_else(|| panic!("{mark}"));
+    assert!(near(own) && own.ends_with("° to the horizontal."), "{mark}");
+    let slotted = common::read(
+        r#"{"units": {"length": "in"}, "fixed": {"O2": [0, 0], "O4": [-6, 0]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 1.5},
+        "4": {"joins": ["O4", "Q"], "shape": {"O4": [0, 0], "Q": [8, 0]}}},
+        "slides": [{"pin": "A", "block": 3, "on": {"link": 4, "centre": [6, -5], "radius": 5}}],
+        "near": {"Q": [2, 1]}, "input": {"link": 2, "angle": 60, "omega": "120 rpm cw"}}"#,
+    );
+    let lines = told(&solution(&slotted));
+    let mark = lines.iter().find(|line| line.starts_with("Mark Q on link 4")).unwrap();
+    let angle = libm::atan2(5.0, 6.0).to_degrees();
+    assert!(mark.contains(&format!("O_4Q stands {angle:.1}° ccw from the line to the centre")), "{mark}");
+}
+
+/// The normal parts at a contact set no scale: the joints of the rod stand apart on the paper.
+#[test]
+fn no_normal_part_of_a_contact_sets_the_scale() {
+    let construction = solved(&common::read(RAIL)).solution.construction;
+    let diagram = construction.diagram(DiagramKind::Acceleration).unwrap();
+    let normal =
+        |quantity: Quantity| matches!(quantity, Quantity::CoincidentNormal(..) | Quantity::ContactNormal(..));
+    assert!(diagram.vectors.iter().all(|vector| !normal(vector.quantity)));
+    let figure = solution(&common::read(RAIL));
+    assert!(within(&figure.root).into_iter().any(|group| has(group, "acceleration")));
+}
