@@ -217,7 +217,8 @@ fn pins_rub_as_the_sleeve_is_about_to_move() {
     let [height, arm] = [80.0, 60.0];
     for input in [r#"{ "slide": 3 }"#, r#"{ "link": 2 }"#] {
         for [p, q] in [[2.0, 0.0], [0.0, 1.5], [2.0, 1.5]] {
-            let text = hartnell(r#", "drag": 25"#, r#""spin(rising)", "spin(falling)""#).source.text().to_owned();
+            let text =
+                hartnell(r#", "drag": 25"#, r#""spin(rising)", "spin(falling)""#).source.text().to_owned();
             let pins = format!(r#""pins": {{ "D": {{ "circle": {p} }}, "O": {{ "circle": {q} }} }}, "find""#);
             let text = text.replace(r#"{ "slide": 3 }"#, input).replace(r#""find""#, &pins);
             let found = answers(&read(&text));

@@ -374,3 +374,75 @@ fn no_normal_part_of_a_contact_sets_the_scale() {
     let figure = solution(&common::read(RAIL));
     assert!(within(&figure.root).into_iter().any(|group| has(group, "acceleration")));
 }
+
+/// A length that is measured on paper is by the scale what stands there, with all of its figures: the lines that use it give the
+/// speeds which the polygon shows.
+#[test]
+fn a_measured_radius_keeps_the_figures_that_were_read() {
+    let text = r#"{ "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "O4": [24, 6] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 9 }, "3": { "joins": ["A", "B", "C"], "sides": [22, 9, 16], "turn": "cw" },
+                   "4": { "joins": ["O4", "B"], "length": 14 } },
+        "near": { "B": [20, -8], "C": [14, -14] }, "input": { "link": 2, "angle": 75, "omega": "90 rpm cw", "alpha": 12 },
+        "find": [{ "name": "v(B)", "method": "centres" }, { "name": "v(C)", "method": "centres" }, "a(C)"] }"#;
+    let lines = told(&solution(&common::read(text)));
+    let mut measured = 0;
+    for line in lines.iter().filter(|line| line.contains(" mm, that is ")) {
+        for part in line.split("mm, that is ").skip(1).zip(line.split(" mm, that is ")) {
+            let (after, before) = part;
+            let mm = value_of(before.rsplit(' ').next().unwrap());
+            let cm = value_of(after.split(' ').next().unwrap());
+            // At 1 : 1, 2, 2.5 or 5, or tens of these, the product has few figures.
+            let scale = cm / mm * 10.0;
+            let tens = libm::floor(libm::log10(scale) + 1e-9);
+            let digits = scale / libm::exp10(tens);
+            let known = [1.0, 2.0, 2.5, 5.0].iter().any(|known| (digits - known).abs() < 1e-9);
+            assert!(known, "{line}: {mm} mm times {scale}");
+            measured += 1;
+        }
+    }
+    assert!(measured >= 3, "{measured}: {lines:?}");
+}
+
+#[test]
+fn whatever_is_laid_off_has_its_direction() {
+    let mut vectors = 0;
+    for stem in
+        ["pairs/wheel-on-moving-plane", "pairs/wheel-in-ring", "pairs/rack-on-moving-guide", "s000-ch4-9-d"]
+    {
+        for line in told(&solution(&common::example(stem))).iter().filter(|line| line.starts_with("Lay off "))
+        {
+            assert!(!line.contains(", .") && !line.contains(" ,"), "{stem}: {line}");
+            vectors += 1;
+        }
+    }
+    assert!(vectors > 15, "{vectors}");
+}
+
+#[test]
+fn given_areas_say_what_they_are() {
+    let text = r#"{ "units": { "length": "mm" }, "links": {}, "input": { "omega": "300 rpm" },
+        "cycle": { "torque": { "areas": [52, -124, 92, -140, 85, -72, 107], "scale": { "torque": 600, "angle": 3 } },
+                   "fluctuation": 0.03 }, "find": ["Ef", "If"] }"#;
+    let question = question(&common::read(text));
+    for said in ["areas between the torque curve and the mean line", "1 mm² ≡ 600 N·m"] {
+        assert!(question.contains(said), "{said}: {question}");
+    }
+}
+
+/// A link that slides without turning is held at an angle to its guide, from which alone its other points can be drawn.
+#[test]
+fn the_angle_at_which_a_riding_link_is_held_is_given() {
+    let scene = |turned: &str| {
+        common::read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 40 }}, "3": {{ "joins": ["A", "D"], "length": 150 }},
+                        "4": {{ "joins": ["B", "D"], "length": 60 }} }},
+            "slides": [{{ "link": 4, "turned": {turned}, "on": {{ "link": 1, "through": [0, -10], "angle": 0 }} }}],
+            "near": {{ "B": [110, -10] }}, "input": {{ "link": 2, "angle": 80, "omega": 5 }}, "find": ["v(B)"] }}"#
+        ))
+    };
+    for (turned, told) in [("35", "BD at 35° ccw from guide"), ("-60", "BD at 60° cw from guide")] {
+        let question = question(&scene(turned));
+        assert!(question.contains(told), "{told}: {question}");
+    }
+}

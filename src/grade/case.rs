@@ -596,7 +596,7 @@ impl<'s> Case<'s> {
     /// The points of a figure by what they are; what names none is noted.
     fn found<'f>(&self, answers: &Answers, figure: &'f FigurePoints, unread: &mut Vec<Unread>) -> Found<'f> {
         let order = figure.order;
-        let known = self.point_names(order);
+        let (known, printed) = (self.point_names(order), self.printed_names(order));
         let mut miss = |name: &str, at: usize, what: String, mend: String| {
             let name = format!("{}:{name}", figure_name(order));
             let why = answers.complain(at, what, Some(mend));
@@ -606,7 +606,9 @@ impl<'s> Case<'s> {
         for (name, at, place) in figure.points.iter().map(|(name, at, place)| (name, *at, *place)) {
             let plain = plain_name(name, order);
             let target = known.iter().find(|(known, _)| *known == plain).map(|(_, target)| *target);
-            if target.is_none() {
+            // A foot on the way that has its label in common with a later one is a point of the solution, and judged by none.
+            let is_on_the_way = || printed.iter().any(|(known, _, last)| *known == plain && !last);
+            if target.is_none() && !is_on_the_way() {
                 let figure = figure_name(order);
                 let mut names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
                 let mut told = HashSet::new();
@@ -767,6 +769,21 @@ impl<'s> Case<'s> {
         laid.rev().max_by_key(near)
     }
 
+    /// The points of a polygon by the names that the sheet prints, without primes and commas; and whether each is the one that is
+    /// meant by its label, the last that was drawn.
+    fn printed_names(&self, order: Order) -> Vec<(String, Label, bool)> {
+        let Some(polygon) = polygon(&self.right.construction, order) else { return Vec::new() };
+        let names = crate::sheet::image_names(self.scene, &self.right.construction, order.diagram());
+        let all = names.into_iter().zip(&polygon.images);
+        all.map(|((name, label), image)| {
+            let last = polygon.images.iter().rev().find(|other| other.label == label);
+            let [x, y] = last.map_or(image.at, |last| last.at);
+            let is_meant = libm::hypot(x - image.at[0], y - image.at[1]) <= ONE_POINT;
+            (plain_name(&name, order), label, is_meant)
+        })
+        .collect()
+    }
+
     /// The points of a figure, by their names without primes and commas.
     fn point_names(&self, order: Order) -> Vec<(String, Target)> {
         if order == Order::Position {
@@ -778,13 +795,16 @@ impl<'s> Case<'s> {
         }
         let Some(polygon) = polygon(&self.right.construction, order) else { return Vec::new() };
         let mut names = vec![("o".to_owned(), Target::Image(order, Label::Pole))];
+        // As the sheet prints them: it tells feet apart, of which several may have the same number by themselves.
+        let printed = self.printed_names(order);
+        let meant = printed.iter().filter(|(.., last)| *last);
+        names.extend(meant.map(|(name, label, _)| (name.clone(), Target::Image(order, *label))));
         for image in &polygon.images {
             let name = crate::sheet::image_name(self.scene, image.label, order.diagram());
-            names.push((plain_name(&name, order), Target::Image(order, image.label)));
-        }
-        for (name, label) in crate::sheet::image_names(self.scene, &self.right.construction, order.diagram())
-        {
-            names.push((plain_name(&name, order), Target::Image(order, label)));
+            let name = plain_name(&name, order);
+            if !printed.iter().any(|(known, ..)| *known == name) {
+                names.push((name, Target::Image(order, image.label)));
+            }
         }
         // Where no other point has that name, an image goes by its letter alone.
         for image in &polygon.images {

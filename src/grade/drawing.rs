@@ -116,18 +116,15 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
     if root.tag_name().name() != "svg" {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
-    let (marks, letters, own) = read_all(root, &Names::new(scene))?;
+    let (marks, mut letters, own) = read_all(root, &Names::new(scene))?;
     let leaders = marks.leaders.clone();
     let marks = marks.gathered();
     let mut figures: Vec<Figure> = own.into_iter().map(|own| (own.points, Some(own.si_per_mm))).collect();
-    let told: Vec<Order> = figures.iter().map(|(figure, _)| figure.order).collect();
+    // What is written beside a figure that names its points (on free bodies, in the steps) is no second one.
+    letters.retain(|letter| !figures.iter().any(|(figure, _)| figure.order == letter.order));
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
     let mut shared: Vec<(usize, String, String)> = Vec::new();
     for (letter, (mark, rival)) in matched(letters, &marks, &leaders)? {
-        // What is written beside a figure that names its points is no second one.
-        if told.contains(&letter.order) {
-            continue;
-        }
         let place = [mark.x, -mark.y];
         let index = figures.iter().position(|(f, _)| f.order == letter.order).unwrap_or_else(|| {
             let figure = FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() };

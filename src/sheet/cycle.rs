@@ -591,13 +591,17 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         }
         Sides::Areas { areas, torque, angle, total } => {
             let list: Vec<Rich> = areas.iter().take(TOLD).map(|area| human::stated(area.value)).collect();
-            parts.push(equals(Rich::italic("A"), &Rich::join(&list, &Rich::upright(";\u{a0}"))));
+            let [between, whole] = notation.words.given_areas;
+            let between = Rich::upright(between).up("\u{a0}").it("A");
+            parts.push(equals(between, &Rich::join(&list, &Rich::upright(";\u{a0}"))));
             if let Some(total) = total {
-                parts.push(equals(Rich::upright("Σ"), &human::stated(total.value)));
+                let whole = Rich::upright(whole).up("\u{a0}Σ");
+                parts.push(equals(whole, &human::stated(total.value)));
             }
             let scale = human::stated_quantity(torque.value, &units.torque);
+            // A unit of length along each axis.
             parts.push(
-                Rich::upright("1\u{a0}≡\u{a0}")
+                Rich::upright(format!("1\u{a0}{}²\u{a0}≡\u{a0}", units.length.symbol))
                     .then(&scale)
                     .up(" ·\u{a0}")
                     .then(&human::degrees(angle.value)),

@@ -535,7 +535,7 @@ impl Teller<'_> {
         let place = place_of(through, self.n);
         if let Some((guide, own, side)) = beside(index, self.n).filter(|_| !self.drives(index)) {
             let parts = [("guide", guide), ("offset", self.length(own)), ("side", side)];
-            return Some(Rich::fill(words.given_guide_beside, &parts));
+            return Some(self.held_at(index, Rich::fill(words.given_guide_beside, &parts)));
         }
         let told = match direction {
             // A rider that drives has a sense along its guide, which the angle tells.
@@ -557,7 +557,7 @@ impl Teller<'_> {
                     let along = libm::sin(own).abs() < ROUNDED;
                     let aside = || Rich::fill(words.given_turned, &[("angle", as_written(own, self.n))]);
                     let told = if along { told } else { told.up(" ").then(&aside()) };
-                    return Some(self.offset(told, offset.value));
+                    return Some(self.held_at(index, self.offset(told, offset.value)));
                 }
                 let template = match (frame, alone) {
                     (true, _) => words.given_guide,
@@ -602,7 +602,24 @@ impl Teller<'_> {
                 }
             }
         };
-        Some(self.offset(told, offset.value))
+        Some(self.held_at(index, self.offset(told, offset.value)))
+    }
+
+    /// A guide with the angle at which the own line of the link that slides without turning is held to it, where that lies
+    /// neither along it nor along or square to the line that was told.
+    fn held_at(&self, index: usize, guide: Rich) -> Rich {
+        let slide = &self.n.mechanism().slides[index];
+        let Rider::Link { link, turned: Some(turned) } = slide.rider else { return guide };
+        let Some(own) = self.own_line(link).filter(|_| held_along(slide, link, self.n).is_none()) else {
+            return guide;
+        };
+        if turned.value == 0.0 {
+            return guide;
+        }
+        let angle = human::degrees(turned.value.abs()).word(self.n.sense(turned.value));
+        let line = self.n.guide_of(index);
+        let held = Rich::fill(self.n.words.given_from_line, &[("angle", angle), ("line", line)]);
+        guide.up(self.n.words.comma).then(&own).up(" ").then(&held)
     }
 
     /// A guide with how far it lies beside the line that was told.

@@ -137,6 +137,19 @@ pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich
     (with_unit(&Rich::upright(fixed(read, decimals)), "mm"), amount, written)
 }
 
+/// A reading on paper and all figures of what it is by the scale, with the number that then stands there; none where these are
+/// more than five, as in inches. What is computed from a length that was measured needs no guard then.
+pub fn reading_exactly(mm: f64, factor: f64, more: usize) -> Option<(Rich, Rich, f64)> {
+    const MOST: usize = 5;
+    let decimals = (1 + more).min(finest(mm));
+    let read = at_decimals(mm, decimals);
+    let product = read * factor;
+    let written: f64 = format!("{product:.*e}", MOST - 1).parse().ok()?;
+    let is_all = (written - product).abs() <= 1e-9 * written.abs();
+    let reading = with_unit(&Rich::upright(fixed(read, decimals)), "mm");
+    is_all.then(|| (reading, figures(written, MOST, true), written))
+}
+
 /// The same as the other of the two numbers of four figures between which the result lies; none where no reading gives it.
 pub fn reading_beside(mm: f64, factor: f64, result: f64, more: usize) -> Option<(Rich, Rich, f64)> {
     let more = read_figures(result, more);

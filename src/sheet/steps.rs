@@ -1801,7 +1801,8 @@ impl Teller<'_> {
     fn direction_of(&self, vector: &Vector) -> Rich {
         let n = self.notation;
         let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
-        let Some(claim) = vector.claim else { return Rich::default() };
+        // Parallel or square to nothing that has a name: by its angle.
+        let Some(claim) = vector.claim else { return self.angle_of(vector) };
         if vector.kind == VectorKind::Coriolis && self.is_drawn_backwards(vector) {
             let head = ("head", n.image(vector.head, self.step.diagram));
             return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));

@@ -227,10 +227,14 @@ fn name_turning(
                 let here = |centre: &&Centre| matches!(centre.place, CentrePlace::At(own) if page(own).distance(at) < TOGETHER);
                 let Some(centre) = circle.centres.iter().find(here) else { continue };
                 let border = inside.lerp(at, t1);
-                let metres = at.distance(border) * construction.space.metres_per_mm;
+                // From where the line begins: that is the radius which the steps measure.
+                let metres = at.distance(inside) * construction.space.metres_per_mm;
                 let far = human::quantity(metres, &notation.scene.units.length);
                 let text = name(centre.links, notation).up("\u{a0}").then(&far);
-                overlay.labels.push(leader(text, border, 0.6, "label centre-name"));
+                let request = leader(text, border, 0.6, "label centre-name");
+                if !overlay.labels.contains(&request) {
+                    overlay.labels.push(request);
+                }
             }
         }
         TransferInk::Arc { centre, from, to } => {
@@ -560,7 +564,8 @@ impl Teller<'_> {
         }
         let (factor, exact) = (self.metres_per_mm / unit.si, metres / unit.si);
         let more = self.figures.borrow().more(key).min(1);
-        let (mm, value, written) = human::reading_at(mm.abs(), factor, exact, more);
+        let told = human::reading_exactly(mm.abs(), factor, more);
+        let (mm, value, written) = told.unwrap_or_else(|| human::reading_at(mm.abs(), factor, exact, more));
         self.figures.borrow_mut().note(key, &value, (written, exact), unit);
         let end = match spot {
             Spot::Under(point, _) => spot_name(Spot::Point(point), self.notation),

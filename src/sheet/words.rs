@@ -385,6 +385,8 @@ pub struct Words {
     pub given_sleeve: &'static str,
     /// The friction of a sleeve, before its symbol.
     pub given_sleeve_friction: &'static str,
+    /// What given areas are, before their symbol; and the whole area.
+    pub given_areas: [&'static str; 2],
     /// The period of a turning-moment diagram, before its symbol.
     pub given_period: &'static str,
     /// What turns with the input, before its moment of inertia: `{list}`.
@@ -845,6 +847,10 @@ const ENGLISH: Words = Words {
     given_halves: "{count} equal halves, of which one is drawn",
     given_sleeve: "what acts on link {link} is given for the whole",
     given_sleeve_friction: "friction of the sleeve",
+    given_areas: [
+        "areas between the torque curve and the mean line, in their order",
+        "whole area under the curve",
+    ],
     given_period: "period",
     given_rotating: "turning with the input: {list}",
     given_steady: ["the load torque is constant", "the driving torque is constant"],
@@ -1295,6 +1301,7 @@ const ARABIC: Words = Words {
     given_halves: "عدد الأجزاء المتماثلة {count} ويُرسم واحد منها",
     given_sleeve: "ما يؤثر في الوصلة {link} معطى للكل",
     given_sleeve_friction: "احتكاك الجلبة",
+    given_areas: ["المساحات بين منحنى العزم وخط العزم المتوسط بالترتيب", "المساحة الكلية تحت المنحنى"],
     given_period: "الدورة",
     given_rotating: "يدور مع الوصلة القائدة: {list}",
     given_steady: ["عزم الحمل ثابت", "العزم المحرك ثابت"],
@@ -1793,6 +1800,7 @@ const PERSIAN: Words = Words {
     given_halves: "{count} نیمهٔ برابر که یکی از آن‌ها رسم شده است",
     given_sleeve: "آنچه بر بند {link} اثر می‌کند برای کل داده شده است",
     given_sleeve_friction: "اصطکاک بوش",
+    given_areas: ["مساحت‌های میان منحنی گشتاور و خط میانگین، به ترتیب", "کل مساحت زیر منحنی"],
     given_period: "دورهٔ",
     given_rotating: "با بند محرک می‌چرخد: {list}",
     given_steady: ["گشتاور بار ثابت است", "گشتاور محرک ثابت است"],

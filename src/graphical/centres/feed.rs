@@ -49,8 +49,8 @@ impl Draughtsman<'_> {
         // The lines of a transfer that nobody asked for belong to this step.
         self.open_transfer(0, Method::Centres);
         let found = find(self);
-        let told = self.transfers_mut().and_then(Vec::pop).map(|transfer| transfer.acts).unwrap_or_default();
-        for act in told.into_iter().map(Act::ByCentres) {
+        let told = self.transfers_mut().and_then(Vec::pop).into_iter().flat_map(|transfer| transfer.acts);
+        for act in told.map(Act::ByCentres).collect::<Vec<_>>() {
             if !self.record().steps.iter().any(|step| step.acts.contains(&act)) {
                 self.act(act);
             }
