@@ -300,6 +300,9 @@ fn every_sheet_of_this_program_is_read_back_whole() {
     let (mut sheets, mut points) = (0, 0);
     for kind in linkgram::catalogue::KINDS {
         let scene = scene::read(kind.scene, kind.name).unwrap();
+        if scene.mechanism.points.is_empty() {
+            continue;
+        }
         for paper in ["A4", "A6 landscape"] {
             let mut stated: Value = serde_json::from_str(kind.scene).unwrap();
             stated["sheet"]["paper"] = paper.into();

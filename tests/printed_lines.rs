@@ -446,3 +446,17 @@ fn the_angle_at_which_a_riding_link_is_held_is_given() {
         assert!(question.contains(told), "{told}: {question}");
     }
 }
+
+#[test]
+fn an_acceleration_is_laid_off_in_the_sense_of_alpha() {
+    let text = common::example("pairs/driven-wheel").source.text().to_owned();
+    let slowed = text.replace(r#""alpha": -4"#, r#""alpha": 4"#);
+    for scene in [text, slowed] {
+        let lines = told(&solution(&common::read(&scene)));
+        let senses: Vec<&String> = lines.iter().filter(|line| line.contains("A_C = o")).collect();
+        assert!(
+            !senses.is_empty() && senses.iter().all(|line| line.contains("in the sense of α")),
+            "{senses:?}"
+        );
+    }
+}

@@ -1826,8 +1826,9 @@ impl Teller<'_> {
                 let Some(link) = turned.or_else(|| n.mechanism().moving().find(carries)) else {
                     return comma(n.claim(claim), self.angle_of(vector));
                 };
-                let rotation = match vector.kind {
-                    VectorKind::Tangential => Quantity::Alpha(link),
+                // Of a wheel that rolls on what rests the whole acceleration of the centre is α r.
+                let rotation = match (vector.kind, self.step.diagram) {
+                    (VectorKind::Tangential, _) | (_, DiagramKind::Acceleration) => Quantity::Alpha(link),
                     _ => Quantity::Omega(link),
                 };
                 let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
