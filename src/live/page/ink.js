@@ -326,13 +326,7 @@ class Panel {
       // Next to a limit a vector is metres long: its name stands by what is seen of it.
       if (two && polygon && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
       let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || Boolean(outputs[label.output]));
-      if (shown && !two) shown = a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
-      else if (shown && polygon) {
-        const length = sizeOf(minus(b, a));
-        shown = length >= 4;
-        // Whose arrow is too short for it has no room either.
-        if (!shown && !isPoint(length)) this.crowded += 1;
-      }
+      if (shown) shown = two ? !polygon || sizeOf(minus(b, a)) >= 4 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
       label.spot = null;
       if (!shown) {
         visible(element, false);
