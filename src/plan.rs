@@ -591,7 +591,7 @@ impl Wanted<'_> {
         if matches!(share, Share::Rising | Share::Falling)
             && !mechanism.forces.friction.is_empty()
             && let Some(sleeve) = mechanism.sleeve_slide()
-            && let Some(point) = mechanism.rubbing_point(sleeve)
+            && let Some(point) = mechanism.pin_of_slide(sleeve)
         {
             self.point(point, Order::Velocity);
         }
@@ -613,7 +613,7 @@ impl Wanted<'_> {
             self.link(link, Order::Velocity);
         }
         if let RubbingPair::Slide(slide) = pair
-            && let Some(point) = mechanism.rubbing_point(slide)
+            && let Some(point) = mechanism.pin_of_slide(slide)
         {
             self.point(point, Order::Velocity);
         }

@@ -117,7 +117,7 @@ fn watched(mechanism: &Mechanism) -> Vec<(String, Quantity)> {
             }
             RubbingPair::Slide(slide) => {
                 let guide = mechanism.slides[slide].guide.link;
-                let Some(point) = mechanism.rubbing_point(slide) else { continue };
+                let Some(point) = mechanism.pin_of_slide(slide) else { continue };
                 let quantity = match guide {
                     LinkId::FRAME => Quantity::Velocity(point),
                     _ => Quantity::Slip(point, guide),

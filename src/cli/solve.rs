@@ -363,7 +363,7 @@ fn friction(rub: &Rub, scene: &Scene, passes: usize) -> Value {
             (m.point(pin).name.clone(), json!([number(carrier), number(link)]), sense)
         }
         RubbingPair::Slide(slide) => {
-            let at = m.rubbing_point(slide).map(|point| m.point(point).name.clone());
+            let at = m.pin_of_slide(slide).map(|point| m.point(point).name.clone());
             let sense = if rub.forward { "forward" } else { "backward" };
             let links: Vec<u32> = m.rubbing_links(rub.pair).into_iter().map(number).collect();
             (at.unwrap_or_default(), json!(links), sense)

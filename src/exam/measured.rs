@@ -131,7 +131,7 @@ impl Measured {
 fn named(mechanism: &Mechanism, pair: RubbingPair) -> String {
     match pair {
         RubbingPair::Pin { pin, .. } => mechanism.point(pin).name.clone(),
-        RubbingPair::Slide(slide) => match mechanism.rubbing_point(slide) {
+        RubbingPair::Slide(slide) => match mechanism.pin_of_slide(slide) {
             Some(point) => format!("the guide of {}", mechanism.point(point).name),
             None => format!("slides[{slide}]"),
         },

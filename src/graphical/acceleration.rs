@@ -271,20 +271,12 @@ impl Draughtsman<'_> {
                 (route.foot, Quantity::Tangential(centre), VectorKind::Tangential)
             }
         };
-        let (rate, radius) = (self.rate(order, wheel), self.length_to(wheel, centre, contact));
-        let part = self.board.product(rate, radius);
-        self.act_turning(order, quantity, wheel, [contact, centre], [rate, radius, part]);
-        // Seen from the contact point the centre lies opposite to where the contact lies from the centre.
-        let back = self.square_to(wheel, centre, contact);
-        let square = self.board.reverse(back);
-        let scale = self.polygon_scale(order);
-        let mm = self.board.to_paper(part, scale);
-        let at = self.lay_off_vector(quantity, start.1, square, mm);
+        let (at, [part, mm]) = self.lay_off_spin(order, quantity, wheel, [contact, centre], start.1);
         let at = self.note_image(order, centre, at);
         let claim = Claim::Perpendicular(Reference::Points(centre, contact));
         let head = (self.label(centre), at);
         let vector = self.note_vector(order, (kind, quantity, Some(claim)), start, head);
-        self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
+        self.act(Act::LayOffVector { vector, value: part, mm });
         if let Some(other) = self.other_centre(roll, wheel) {
             let line = Claim::Parallel(Reference::Points(other, centre));
             self.parts_of_sum(order, centre, &[(Quantity::Normal(centre), line), (quantity, claim)]);

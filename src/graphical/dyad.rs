@@ -452,25 +452,38 @@ impl Draughtsman<'_> {
         let other = self.rolled_on(roll, wheel);
         let start = (self.contact_label(roll, other), self.contact_image(order, roll, other));
         let contact = self.contact_of(roll);
-        let rate = self.rate(order, wheel);
-        let radius = self.length_to(wheel, centre, contact);
-        let part = self.board.product(rate, radius);
         let (quantity, kind) = match order {
             Order::Acceleration => (Quantity::RelativeTangential(centre, contact), VectorKind::Tangential),
             _ if other == LinkId::FRAME => (Quantity::Velocity(centre), VectorKind::Absolute),
             _ => (Quantity::RelativeVelocity(centre, contact), VectorKind::Relative),
         };
+        let (at, [part, mm]) = self.lay_off_spin(order, quantity, wheel, [contact, centre], start.1);
+        let across = Claim::Perpendicular(Reference::Points(centre, contact));
+        let vector = self.note_vector(order, (kind, quantity, Some(across)), start, (head, at));
+        self.act(Act::LayOffVector { vector, value: part, mm });
+        at
+    }
+
+    /// From this point, what a driven wheel's rotation gives of its centre about its contact, ω r or α r square to the
+    /// radius: where that ends, with its amount in SI units and in mm.
+    pub(super) fn lay_off_spin(
+        &mut self,
+        order: Order,
+        quantity: Quantity,
+        wheel: LinkId,
+        [contact, centre]: [PointId; 2],
+        from: Point,
+    ) -> (Point, [f64; 2]) {
+        let (rate, radius) = (self.rate(order, wheel), self.length_to(wheel, centre, contact));
+        let part = self.board.product(rate, radius);
         self.act_turning(order, quantity, wheel, [contact, centre], [rate, radius, part]);
         // Seen from the contact point the centre lies opposite to where the contact lies from the centre.
         let back = self.square_to(wheel, centre, contact);
         let square = self.board.reverse(back);
         let scale = self.polygon_scale(order);
         let mm = self.board.to_paper(part, scale);
-        let at = self.lay_off_vector(quantity, start.1, square, mm);
-        let across = Claim::Perpendicular(Reference::Points(centre, contact));
-        let vector = self.note_vector(order, (kind, quantity, Some(across)), start, (head, at));
-        self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
-        at
+        let at = self.lay_off_vector(quantity, from, square, mm);
+        (at, [part.value().abs(), mm.value().abs()])
     }
 
     /// From the end of the part that a driven wheel's rotation gives, a line along the common normal.

@@ -250,7 +250,7 @@ impl Mechanism {
             }
             RubbingPair::Slide(slide) => {
                 let on = self.link(self.slides[slide].guide.link).number;
-                match self.rubbing_point(slide) {
+                match self.pin_of_slide(slide) {
                     Some(point) => format!("the slide of {} on link {on}", self.point(point).name),
                     None => format!("a slide on link {on}"),
                 }
@@ -288,14 +288,14 @@ impl Mechanism {
     pub fn rubbing_name(&self, pair: RubbingPair) -> Option<&str> {
         let point = match pair {
             RubbingPair::Pin { pin, .. } => Some(pin),
-            RubbingPair::Slide(slide) => self.rubbing_point(slide),
+            RubbingPair::Slide(slide) => self.pin_of_slide(slide),
         };
         point.map(|point| self.point(point).name.as_str())
     }
 
-    /// The pin of a slide, or the first joint of the link that slides.
+    /// The pin that rides in a sliding pair, or the first joint of the link that does.
     #[must_use]
-    pub fn rubbing_point(&self, slide: usize) -> Option<PointId> {
+    pub fn pin_of_slide(&self, slide: usize) -> Option<PointId> {
         match self.slides[slide].rider {
             super::Rider::Pin { point, .. } => Some(point),
             super::Rider::Link { link, .. } => self.link(link).points.first().copied(),

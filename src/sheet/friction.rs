@@ -50,7 +50,7 @@ fn name(touch: &Touch, notation: &Notation<'_>) -> Rich {
     let mechanism = notation.mechanism();
     let point = match touch.rub.pair {
         RubbingPair::Pin { pin, .. } => Some(pin),
-        RubbingPair::Slide(slide) => mechanism.rubbing_point(slide),
+        RubbingPair::Slide(slide) => mechanism.pin_of_slide(slide),
     };
     point.map(|point| notation.point(point)).unwrap_or_default()
 }
@@ -281,7 +281,7 @@ pub(super) fn place_name(touch: &Touch, notation: &Notation<'_>) -> String {
         RubbingPair::Pin { pin, .. } => notation.index(pin),
         RubbingPair::Slide(slide) => {
             let guide = notation.number(mechanism.slides[slide].guide.link);
-            let point = mechanism.rubbing_point(slide).map(|point| notation.index(point));
+            let point = mechanism.pin_of_slide(slide).map(|point| notation.index(point));
             point.map_or(guide.clone(), |point| format!("{guide}{point}"))
         }
     }

@@ -926,7 +926,7 @@ impl Teller<'_> {
         }
         for rubbing in &friction.slides {
             let guide = self.n.number(mechanism.slides[rubbing.slide].guide.link);
-            let point = mechanism.rubbing_point(rubbing.slide).map(|point| self.n.index(point));
+            let point = mechanism.pin_of_slide(rubbing.slide).map(|point| self.n.index(point));
             let place = point.map_or(guide.clone(), |point| format!("{guide}{point}"));
             if let Some(roughness) = rubbing.resistance.roughness() {
                 parts.push(rough(roughness, &place));
@@ -1161,7 +1161,7 @@ impl Teller<'_> {
                 );
             }
             Input::Slide { slide, at, velocity, acceleration } => {
-                let Some(point) = self.n.mechanism().rubbing_point(*slide) else { return };
+                let Some(point) = self.n.mechanism().pin_of_slide(*slide) else { return };
                 if let Some(at) = at {
                     let distance = ("distance", self.length(at.value));
                     let point = ("point", self.n.point(point));

@@ -429,7 +429,7 @@ impl Artist<'_> {
             let Input::Slide { slide: index, velocity, .. } = input else { continue };
             let slide = mechanism.slides[*index];
             let (Some(GuideLine::Straight { at, along }), Some(point)) =
-                (self.pose.guide(&slide), mechanism.rubbing_point(*index))
+                (self.pose.guide(&slide), mechanism.pin_of_slide(*index))
             else {
                 continue;
             };

@@ -333,7 +333,7 @@ impl Draughtsman<'_> {
                 }
                 RubbingPair::Slide(slide) => {
                     let (Some(resistance), Some(point)) =
-                        (m.forces.friction.resistance(slide), m.rubbing_point(slide))
+                        (m.forces.friction.resistance(slide), m.pin_of_slide(slide))
                     else {
                         continue;
                     };
@@ -377,7 +377,7 @@ impl Draughtsman<'_> {
             return None;
         }
         let slide = self.mechanism.sleeve_slide()?;
-        let point = self.riding_pin(slide)?;
+        let point = self.mechanism.pin_of_slide(slide)?;
         let at = self.at(point);
         let (along, _) = self.guide_at(slide, at);
         let sliding = self.sliding_along(slide, point, along);
@@ -712,7 +712,7 @@ impl Draughtsman<'_> {
     pub(super) fn lay_off_drags(&mut self, balance: &mut Balance) {
         for (slide, drag) in balance.leaning.drags.clone() {
             let pair = self.mechanism.slides[slide];
-            let Some(point) = self.mechanism.rubbing_point(slide) else { continue };
+            let Some(point) = self.mechanism.pin_of_slide(slide) else { continue };
             let at = self.at(point);
             let on_rider = Item { pull: Some(drag), at, couple: None };
             let on_guide = Item { pull: Some(Self::opposite(drag)), at, couple: None };

@@ -171,7 +171,7 @@ impl Draughtsman<'_> {
             if slide.guide.link != LinkId::FRAME {
                 continue;
             }
-            let pin = self.riding_pin(index)?;
+            let pin = self.mechanism.pin_of_slide(index)?;
             let at = self.at(pin);
             let (along, _) = self.guide_at(index, at);
             let ([x, y], (sin, cos)) = (along.value(), libm::sincos(spin.angle.value));
@@ -515,7 +515,7 @@ impl Draughtsman<'_> {
 
     /// The forces on the sleeve along its guide.
     fn along_guide(&mut self, layout: &Layout, body: &FreeBody, slide: usize) -> Option<AlongGuide> {
-        let pin = self.riding_pin(slide)?;
+        let pin = self.mechanism.pin_of_slide(slide)?;
         let at = self.at(pin);
         let (along, _) = self.guide_at(slide, at);
         let guide = along.value();

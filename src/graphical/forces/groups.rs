@@ -83,7 +83,8 @@ impl Draughtsman<'_> {
     fn curved_block(&mut self, group: &Group, balance: &mut Balance) -> Option<&'static str> {
         for joint in &group.joints {
             let Joint::Slide(slide) = *joint else { continue };
-            let (Some(block), Some(pin)) = (self.turned_on_arc(balance, slide), self.riding_pin(slide))
+            let (Some(block), Some(pin)) =
+                (self.turned_on_arc(balance, slide), self.mechanism.pin_of_slide(slide))
             else {
                 continue;
             };
@@ -387,7 +388,7 @@ fn driven_pin(
 
 /// The polygon of what rides, with the line of the guide and the line square to it.
 fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &mut Balance) {
-    let Some(pin) = d.riding_pin(slide) else {
+    let Some(pin) = d.mechanism.pin_of_slide(slide) else {
         balance.refused = Some("a sliding link has no joint");
         return;
     };
@@ -412,7 +413,7 @@ fn slide_apart(d: &mut Draughtsman<'_>, slide: usize, input: Drive, items: &[Ite
         outer: Party::Link(pair.guide.link),
         inner_rides: true,
     };
-    let Some(pin) = d.riding_pin(slide) else {
+    let Some(pin) = d.mechanism.pin_of_slide(slide) else {
         balance.refused = Some("a sliding link has no joint");
         return;
     };
@@ -854,13 +855,5 @@ impl Draughtsman<'_> {
         let at = self.at(point);
         let Track::Straight(line) = self.track(slide, None) else { return false };
         self.arm_of(line, at).value().abs() < NO_ARM * self.length_scale().si_per_mm
-    }
-
-    /// The pin that rides in a sliding pair, or the first joint of the link that does.
-    pub(super) fn riding_pin(&self, slide: usize) -> Option<PointId> {
-        match self.mechanism.slides[slide].rider {
-            crate::mechanism::Rider::Pin { point, .. } => Some(point),
-            crate::mechanism::Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied(),
-        }
     }
 }

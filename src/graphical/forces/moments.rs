@@ -330,7 +330,7 @@ impl Draughtsman<'_> {
             }
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
-                let pin = self.riding_pin(slide)?;
+                let pin = self.mechanism.pin_of_slide(slide)?;
                 let guide = pair.guide.link;
                 // Of a driven lever with what is driven along it that body that has the pin.
                 let parties = self.mechanism.parties_at(pin);
@@ -573,7 +573,7 @@ impl Draughtsman<'_> {
     /// The pin of what rides in the guide whose force these moments give.
     fn rider_pin(&self, taken: &Taken) -> Option<PointId> {
         match taken.found {
-            TakenFor::Slide(slide) => self.riding_pin(slide),
+            TakenFor::Slide(slide) => self.mechanism.pin_of_slide(slide),
             _ => None,
         }
     }

@@ -214,7 +214,7 @@ impl Draughtsman<'_> {
                     return Err(NOT_DRAWN);
                 };
                 let slide = *slide;
-                let at = self.riding_pin(slide).ok_or(NOT_DRAWN)?;
+                let at = self.mechanism.pin_of_slide(slide).ok_or(NOT_DRAWN)?;
                 let at = self.at(at);
                 let (along, _) = self.guide_at(slide, at);
                 Ok(vec![Item { pull: Some(self.pull_along(along, size)), at, couple: None }])
@@ -312,8 +312,7 @@ impl Draughtsman<'_> {
     fn on_rider(&mut self, balance: &Balance, slide: usize) -> Found<Vec<Item>> {
         let force = balance.slides.get(&slide).ok_or(NOT_DRAWN)?.item();
         let mut items = vec![force];
-        if let (Some(drag), Some(point)) = (balance.leaning.drag(slide), self.mechanism.rubbing_point(slide))
-        {
+        if let (Some(drag), Some(point)) = (balance.leaning.drag(slide), self.mechanism.pin_of_slide(slide)) {
             items.push(Item { pull: Some(drag), at: self.at(point), couple: None });
         }
         Ok(items)

@@ -533,7 +533,7 @@ impl Draughtsman<'_> {
         let (action, between, point, along) = match rub.pair {
             RubbingPair::Pin { pin, carrier, link } => (Action::OfPin(pin, link), [link, carrier], pin, None),
             RubbingPair::Slide(slide) => {
-                let point = m.rubbing_point(slide)?;
+                let point = m.pin_of_slide(slide)?;
                 let guide = m.slides[slide].guide.link;
                 let at = self.at(point);
                 let (along, _) = self.guide_at(slide, at);

@@ -112,7 +112,7 @@ impl Draughtsman<'_> {
         share: Share,
     ) -> Result<Item, &'static str> {
         let sense = spin.sense(share, self.mechanism).ok_or(RESTS)?;
-        let pin = self.riding_pin(drag.slide).ok_or("the sleeve has no joint in its guide")?;
+        let pin = self.mechanism.pin_of_slide(drag.slide).ok_or("the sleeve has no joint in its guide")?;
         let at = self.at(pin);
         let (along, _) = self.guide_at(drag.slide, at);
         let mut size = self.board.amount(drag.size);
