@@ -54,6 +54,7 @@ mod help;
 mod ink;
 mod klein;
 mod laid_off;
+mod lecturer_reads;
 mod lecturers_eye;
 mod legibility;
 #[path = "live/main.rs"]

@@ -734,6 +734,16 @@ fn letters(symbol: &str) -> String {
 
 /// One entry of `values`; nothing where its boxes were left empty.
 fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Option<Item>> {
+    // As sheets and reports print it: "1.049 m/s at 270°".
+    if let Kind::Text(text) = &entry.value.kind
+        && is_vector(&asked.quantity)
+        && let Some((size, angle)) = text.split_once(" at ")
+    {
+        let part = |text: String| Value { at: entry.value.at, kind: Kind::Text(text) };
+        let angle = scales.given(&part(angle.replace('°', " deg")), Measure::Angle)?.value;
+        let item = scalar(asked, &part(size.to_owned()), None, entry.at, scales)?;
+        return directed(item, angle).map(Some);
+    }
     match &entry.value.kind {
         Kind::List(_) => components(asked, &entry.value, None, entry.at, scales).map(Some),
         Kind::Object(all) => {

@@ -16,7 +16,7 @@ use super::unread::Unread;
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
 use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, ConstructionLine, ForceSheet, Label, Reference,
+    Act, Calculation, Claim, Construction, ConstructionLine, ForceSheet, FreeBody, Label, Reference,
 };
 use crate::graphical::cycle::CycleSheet;
 use crate::graphical::{Departure, Paper, Scales, Searched, Sketch, Slip, Slips, free_bodies, sketch};
@@ -146,8 +146,8 @@ impl Room {
 
     /// The same for a vector that is so long instead of `right`: whoever is off by as much at the head of a shorter one is off
     /// by more of its direction.
-    pub(super) fn of_size(self, long: f64, right: f64) -> Self {
-        let shorter = if long > 0.0 { (right / long).max(1.0) } else { 1.0 };
+    pub(super) fn of_size(self, long: f64, right: Option<f64>) -> Self {
+        let shorter = right.filter(|_| long > 0.0).map_or(1.0, |right| (right / long).max(1.0));
         Self { turn: (self.turn * shorter).max(self.turn), ..self }
     }
 
@@ -911,28 +911,28 @@ impl<'s> Case<'s> {
         Some((quantity, mm(own), mm([x, y])))
     }
 
-    /// A force as the student has it, N, as it acts on the first body (its index) in whose polygon it stands.
-    pub(super) fn force_handed_in(&self, index: usize) -> Option<OwnForce> {
+    /// A force as the student has it, N, on every body (its index) in whose polygon it stands.
+    pub(super) fn force_handed_in(&self, index: usize) -> Vec<OwnForce> {
         let observation = &self.observations[index];
         let Some(Quantity::Force(Force::Vector(action), Share::Total)) = observation.quantity else {
-            return None;
+            return Vec::new();
         };
-        let &[x, y] = self.truth[index].as_deref()? else { return None };
+        let Some(&[x, y]) = self.truth[index].as_deref() else { return Vec::new() };
         let own = match observation.given {
             Given::Vector(force) => force,
             Given::Magnitude(long) | Given::Drawn(long) if size(&[x, y]) > 0.0 => {
                 [x, y].map(|part| part * long / size(&[x, y]))
             }
-            _ => return None,
+            _ => return Vec::new(),
         };
-        let bodies = self.balance()?.bodies.iter().enumerate();
-        let mut standing =
-            bodies.flat_map(|(body, free)| free.acting.iter().map(move |acting| (body, acting)));
-        let (body, acting) = standing.find(|(_, acting)| same_force(acting.action, action))?;
-        // On the other body of its pair it has the opposite sense.
-        let along = acting.force[0] * x + acting.force[1] * y;
-        let force = if along < 0.0 { own.map(|part| -part) } else { own };
-        Some(OwnForce { body, action: acting.action, force })
+        let on_body = |(body, free): (usize, &FreeBody)| {
+            let acting = free.acting.iter().find(|acting| same_force(acting.action, action))?;
+            // On the other body of its pair it has the opposite sense.
+            let along = acting.force[0] * x + acting.force[1] * y;
+            let force = if along < 0.0 { own.map(|part| -part) } else { own };
+            Some(OwnForce { body, action: acting.action, force })
+        };
+        self.balance().iter().flat_map(|sheet| sheet.bodies.iter().enumerate()).filter_map(on_body).collect()
     }
 
     /// A vector of a polygon as the student handed it in; a magnitude has the direction that the drawing gives it.
@@ -1022,6 +1022,11 @@ impl<'s> Case<'s> {
         };
         for reading in &change.readings {
             match *reading {
+                Misreading::LetterOf { order, of, by } if observation.target == Target::Image(order, of) => {
+                    let images = &polygon(&sketch.construction, order)?.images;
+                    let image = images.iter().rev().find(|image| image.label == by)?;
+                    numbers = image.at.map(|mm| mm * self.si_per_mm(order)).to_vec();
+                }
                 Misreading::MeasuredFrom { of, tail } if observation.quantity == Some(of) => {
                     let [head, tail] = self.head_and(&sketch.construction, &of, tail)?;
                     numbers = vec![head[0] - tail[0], head[1] - tail[1]];
@@ -1153,6 +1158,7 @@ impl<'s> Case<'s> {
             | Misreading::Backwards { .. }
             | Misreading::Plus { .. }
             | Misreading::TakenFor { .. }
+            | Misreading::LetterOf { .. }
             | Misreading::Inverted { .. }
             | Misreading::Rounded { .. }
             | Misreading::Fluctuation { .. }
@@ -1212,6 +1218,39 @@ impl<'s> Case<'s> {
         self.mechanism.link(link).points.contains(&point)
     }
 
+    /// The size of what is right, SI units, where that is known.
+    pub(super) fn right_size(&self, index: usize) -> Option<f64> {
+        self.truth[index].as_deref().map(size)
+    }
+
+    /// How many times larger than what is right the number is that would be seen, at least once: a reading may be off by so
+    /// much more. Once where one of the two is not known, and beside a right zero, which nothing is a multiple of.
+    pub(super) fn times_larger(&self, index: usize, seen: Option<&[f64]>) -> f64 {
+        let times = seen.zip(self.right_size(index)).map(|(seen, right)| size(seen) / right);
+        times.filter(|times| times.is_finite()).map_or(1.0, |times| times.max(1.0))
+    }
+
+    /// Vectors that are written in another unit than all others of their diagram, which are two or more, each with its unit as
+    /// a part of theirs.
+    pub(super) fn in_odd_units(&self) -> Vec<(Quantity, f64)> {
+        let vectors = || {
+            self.observations.iter().filter(|one| !one.on_paper).filter_map(|one| {
+                let quantity = one.quantity.filter(super::answers::is_vector)?;
+                (!tolerance::is_place(&quantity)).then_some((quantity, one.unit.si))
+            })
+        };
+        let odd = |(quantity, own): (Quantity, f64)| {
+            let mut others = vectors()
+                .filter(|(other, _)| *other != quantity && other.order() == quantity.order())
+                .map(|(_, unit)| unit);
+            let first = others.next()?;
+            let second = others.next()?;
+            let alike = second == first && others.all(|unit| unit == first);
+            (alike && own != first).then_some((quantity, own / first))
+        };
+        vectors().filter_map(odd).collect()
+    }
+
     /// Whether an answer tells a vector with its direction.
     pub(super) fn is_vector(&self, index: usize) -> bool {
         matches!(self.observations[index].given, Given::Vector(_))
@@ -1221,7 +1260,7 @@ impl<'s> Case<'s> {
     /// calculated.
     pub(super) fn lengthened(&self, index: usize, order: Order) -> Option<f64> {
         let observation = &self.observations[index];
-        let right = self.truth[index].as_deref().map_or(0.0, size);
+        let right = self.right_size(index)?;
         let measured = |quantity: &Quantity| self.includes(Which::Measured(order), quantity);
         let wanted = matches!(observation.target, Target::Asked(_))
             && !observation.on_paper
@@ -1270,7 +1309,8 @@ impl<'s> Case<'s> {
             // Where lines cross so flatly that the result is no number, only an exact hand would prove anything.
             match self.rooms.get(index) {
                 Some(&usual)
-                    if own.free.by > WIDE * usual.by && own.free.by > TELLS * seen.map_or(0.0, size) =>
+                    if own.free.by > WIDE * usual.by
+                        && seen.is_none_or(|seen| own.free.by > TELLS * size(seen)) =>
                 {
                     Allowance { free: usual, room: own.room.and(usual), ..own }
                 }
@@ -1337,11 +1377,8 @@ impl<'s> Case<'s> {
         };
         // What a reading may be off of a large vector is all of a small one: no larger part of the value is allowed than
         // of the right one.
-        let right = self.truth[index].as_deref().map_or(0.0, size);
         let usual = self.accepted(index).by;
-        if right <= usual {
-            return most;
-        }
+        let Some(right) = self.right_size(index).filter(|right| *right > usual) else { return most };
         let part = self.ground.standard().max_tolerance.max(usual / right);
         let by = most.by.min(part * size(seen) + self.rounding(observation, size(seen)));
         Room { by: by.max(ROUNDING * right), ..most }
@@ -1354,6 +1391,7 @@ impl<'s> Case<'s> {
     }
 
     fn allowed(&self, observation: &Observation, slip: Slip, factor: f64, seen: Option<&[f64]>) -> Allowance {
+        // No part of its size is allowed of what is not seen: it is not checked.
         let exact = seen.map_or(0.0, size);
         let same = |room: Room, basis| Allowance { room, free: room, honest: room, basis, loose: false };
         // A part of nothing is no tolerance.
@@ -1497,8 +1535,8 @@ impl<'s> Case<'s> {
     pub(super) fn hands_in_nothing(&self, index: usize) -> bool {
         let given = self.given_size(index);
         let nothing = |length: f64| length <= self.rooms[index].by;
-        let right = self.truth[index].as_deref().map_or(0.0, size);
-        !self.has_no_origin(index) && nothing(given) && !nothing(right)
+        let right_is_something = self.right_size(index).is_some_and(|right| !nothing(right));
+        !self.has_no_origin(index) && nothing(given) && right_is_something
     }
 
     /// How far an answer is from what would be seen, in rooms.
@@ -1520,7 +1558,9 @@ impl<'s> Case<'s> {
             (Given::Signed(given), _) => [apart(&[given]), 0.0],
             (Given::Vector(given), &[x, y]) if self.has_direction(observation) => {
                 let slip = Slip::between(&given, &[x, y], false);
-                [slip.size, slip.turn]
+                // What would be nothing, but for its last bits, points nowhere.
+                let nothing = self.right_size(index).is_some_and(|right| size(seen) <= NOISE * right);
+                [slip.size, if nothing { 0.0 } else { slip.turn }]
             }
             // Each coordinate of a place for itself.
             (Given::Vector(given), &[x, y]) if matches!(observation.target, Target::Asked(_)) => {
@@ -1695,6 +1735,8 @@ pub(super) const WIDE: f64 = 2.0;
 const TELLS: f64 = 0.5;
 /// What a student rounds away at most, as a part of the value.
 const ROUNDED: f64 = 0.01;
+/// Beside what is right a number that is smaller than this part of it is the last bits of zero.
+const NOISE: f64 = 1e-9;
 /// What is lost in the conversion of units, as a part of the value.
 const ROUNDING: f64 = 1e-9;
 /// Two numbers in two figures that differ by less than this part are one.

@@ -100,6 +100,8 @@ pub(super) enum Misreading {
     Rounded { of: Quantity },
     /// Another answer's numbers were handed in for it.
     TakenFor { of: Quantity, by: Quantity },
+    /// An image bears the letter of another one.
+    LetterOf { order: Order, of: Label, by: Label },
     /// Another vector was added to it, SI.
     Plus { of: Quantity, by: [f64; 2] },
     /// The fluctuation of energy is multiplied, and with it what is reckoned from it beside this inertia, kg m².

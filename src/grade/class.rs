@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::judge::Verdict;
-use super::phrase::say;
+use super::phrase::{Phrase, say};
 use super::report::Report;
 use super::text::marks;
 
@@ -37,40 +37,47 @@ pub struct ClassFault {
 /// Which faults were made how often, the most frequent first. Whoever makes one twice counts once.
 #[must_use]
 pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
-    let mut found: BTreeMap<(&'static str, String), (String, usize)> = BTreeMap::new();
+    // In words, with what all of them have in common, and how often.
+    let mut found: BTreeMap<(&'static str, String), ([String; 2], usize)> = BTreeMap::new();
     for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
-        let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
+        let mut own: BTreeMap<(&'static str, String), [String; 2]> = BTreeMap::new();
+        let said = |phrase: &Phrase| [report.says(phrase), report.says(phrase)];
         if let Some(variant) = &report.other_variant {
             let text = say!("the answers of variant {}", variant);
-            own.insert((OTHER_VARIANT, variant.clone()), report.says(&text));
+            own.insert((OTHER_VARIANT, variant.clone()), said(&text));
         }
         own.extend(
             report
                 .not_read
                 .iter()
-                .map(|one| ((NOT_READ, one.name.clone()), report.says(&say!("{}: not read", one.name)))),
+                .map(|one| ((NOT_READ, one.name.clone()), said(&say!("{}: not read", one.name)))),
         );
         let wrong = report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
         for graded in wrong.filter(|_| report.other_variant.is_none()) {
             match graded.mistakes.first() {
-                Some(mistake) => own.extend(
-                    mistake
-                        .parts()
-                        .map(|part| ((part.kind.name(), part.at.to_string()), report.says(&part.own_text()))),
-                ),
+                Some(mistake) => own.extend(mistake.parts().map(|part| {
+                    let texts = [part.own_text(), part.kind_text()].map(|text| report.says(&text));
+                    ((part.kind.name(), part.at.to_string()), texts)
+                })),
                 None => {
                     let text = say!("{}: no known mistake fits", graded.name);
-                    own.insert(("unknown", graded.name.clone()), report.says(&text));
+                    own.insert(("unknown", graded.name.clone()), said(&text));
                 }
             }
         }
-        for (key, text) in own {
-            found.entry(key).or_insert((text, 0)).1 += 1;
+        for (key, texts) in own {
+            let (known, students) = found.entry(key).or_insert_with(|| (texts.clone(), 0));
+            *students += 1;
+            // One read bc, another ac: the class read another vector.
+            let [told, in_common] = known;
+            if *told != texts[0] {
+                told.clone_from(in_common);
+            }
         }
     }
     let mut faults: Vec<ClassFault> = found
         .into_iter()
-        .map(|((kind, at), (text, students))| ClassFault { kind, at, text, students })
+        .map(|((kind, at), ([text, _], students))| ClassFault { kind, at, text, students })
         .collect();
     faults.sort_by_key(|fault| std::cmp::Reverse(fault.students));
     faults

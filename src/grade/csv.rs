@@ -42,7 +42,7 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
         // Whose answers these are, and to which variant of an exam.
         if let [(key, _), value @ ..] = &row[..]
             && matches!(key.to_lowercase().as_str(), "student" | "variant")
-            && value.len() <= 1
+            && value.iter().skip(1).all(|(text, _)| text.is_empty())
         {
             let value = value.first().map_or("", |(text, _)| text.as_str());
             if key.eq_ignore_ascii_case("student") && !value.is_empty() {

@@ -202,11 +202,9 @@ impl Fit<'_, '_> {
         let Some(sketch) = self.case.drawn(change, None) else { return false };
         let seen = self.case.seen(&sketch, change);
         let met = self.open.iter().filter(|index| {
-            let [now, right] =
-                [&seen[**index], &self.case.truth[**index]].map(|n| n.as_deref().map_or(0.0, size));
-            let larger = if right > 0.0 { (now / right).max(1.0) } else { 1.0 };
-            let room = self.case.rooms[**index].times(larger);
-            self.case.miss(**index, seen[**index].as_deref(), room) <= NEAR
+            let now = seen[**index].as_deref();
+            let room = self.case.rooms[**index].times(self.case.times_larger(**index, now));
+            self.case.miss(**index, now, room) <= NEAR
         });
         10 * met.count() >= 9 * self.open.len()
     }

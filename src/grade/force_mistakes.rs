@@ -191,6 +191,13 @@ impl List<'_, '_> {
                         .map(|mass| Departure::Weight { link: Some(mass.link), factor })
                         .collect();
                     self.add(kind, &at, None, price, Change::drawn(inertia.clone()));
+                    // The number of a mass, W/g, drawn as a weight.
+                    if acts && weight {
+                        let lighter =
+                            |mass: &Mass| Departure::Weight { link: Some(mass.link), factor: 1.0 / factor };
+                        let lighter = group.iter().map(lighter).collect();
+                        self.add(Kind::MassAsWeight, &at, None, price, Change::drawn(lighter));
+                    }
                     if acts {
                         let both = [&inertia[..], &weights[..]].concat();
                         self.add(kind, &at, None, price, Change::drawn(weights));
@@ -492,7 +499,9 @@ impl List<'_, '_> {
                 let how = say!("in the moments of link {}", self.number(link));
                 self.add_so((Kind::MomentReversed, how), &name, None, 0.75, Change::drawn(vec![beside]));
                 let distance = libm::hypot(pin[0] - about[0], pin[1] - about[1]);
-                if (distance - arm.length).abs() <= SAME_ARM * distance {
+                // A force that is drawn at the point itself has no distance from it.
+                let at_point = distance <= SAME_ARM * arm.length;
+                if at_point || (distance - arm.length).abs() <= SAME_ARM * distance {
                     continue;
                 }
                 let couple = match found {
@@ -712,7 +721,7 @@ impl List<'_, '_> {
         }
         for pair in self.case.mechanism.rubbing_pairs() {
             let RubbingPair::Slide(slide) = pair else { continue };
-            let Some(point) = self.case.mechanism.rubbing_point(slide) else { continue };
+            let Some(point) = self.case.mechanism.pin_of_slide(slide) else { continue };
             let at = say!("the guide of {}", self.case.mechanism.point(point).name);
             let back = Departure::FrictionAngle { slide, factor: -1.0 };
             found.push((Kind::FrictionAngleReversed, at.clone(), PLAIN, vec![back]));

@@ -12,7 +12,7 @@ use super::fitted;
 use super::kind::Kind;
 use super::misread;
 use super::mistakes::{self, Hypothesis, vector_of};
-use super::phrase::Phrase;
+use super::phrase::{Phrase, say};
 use super::routes;
 use super::steps::{self, By};
 use crate::graphical::construction::{Act, Calculation, Label, Vector};
@@ -221,8 +221,7 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let Some(numbers) = seen[index].as_deref() else { continue };
             let most = case.most(index, numbers);
-            let right = case.truth[index].as_deref().map_or(0.0, size);
-            let usual = case.rooms[index].of_size(size(numbers), right);
+            let usual = case.rooms[index].of_size(size(numbers), case.right_size(index));
             let allowed = rooms[index].or(usual).times(EXPLAINED).and(most);
             let allowed = if lost { allowed.times(STRICT) } else { allowed };
             // That something is nothing shows nothing, but of what is left out by whoever has something else right.
@@ -243,6 +242,24 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
     }
     let verdicts = verdicts.into_iter().map(|v| v.unwrap_or(Verdict::NotChecked)).collect();
     Judgement { verdicts, faults, caused, drawn }
+}
+
+/// Whether a mistake is said of all that is of a kind.
+fn is_of_all(at: &Phrase) -> bool {
+    [
+        say!("the velocities"),
+        say!("the accelerations"),
+        say!("every reading"),
+        say!("every line"),
+        say!("every normal part"),
+        say!("every normal part that is found"),
+        say!("every inertia force"),
+        say!("every inertia torque"),
+        say!("every offset"),
+        say!("every weight"),
+        say!("the masses"),
+    ]
+    .contains(at)
 }
 
 #[derive(Clone, Copy)]
@@ -410,14 +427,27 @@ impl Judge<'_, '_> {
         tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     }
 
-    /// Whether a factor that is found by fitting, or normal parts of a kind, are at odds with an answer that is right.
+    /// Whether what is said of a whole diagram, of all parts of a kind or of a factor that was found by fitting is at odds with
+    /// an answer that is right.
     fn contradicts(&self, tried: &Tried) -> bool {
         let harmed = |i: usize| self.verdicts[i] == Some(Verdict::Right) && tried.misses[i] > EXPLAINED;
         let whole = matches!(
             tried.hypothesis.kind,
             Kind::ScaleWrong | Kind::NormalAwayFromCentre | Kind::NormalNotSquared | Kind::FigureTurned
         );
-        whole && (0..tried.misses.len()).any(harmed)
+        // A diagram whose answers are right, and stay so, is not read by another scale.
+        let spared = |order: Order| {
+            (0..tried.misses.len()).any(|i| {
+                let read = |quantity: &Quantity| self.case.includes(Which::Read(order), quantity);
+                let vector = self.case.observations[i].quantity.as_ref().is_some_and(read);
+                let right = self.verdicts[i] == Some(Verdict::Right) && !self.case.is_zero(i);
+                vector && right && tried.misses[i] <= EXPLAINED
+            })
+        };
+        let at = &tried.hypothesis.at;
+        let spares = *at == say!("the velocities") && spared(Order::Velocity)
+            || *at == say!("the accelerations") && spared(Order::Acceleration);
+        spares || (whole || is_of_all(at)) && (0..tried.misses.len()).any(harmed)
     }
 
     /// Whether more than one vector speaks for a scale factor that was found by fitting: another one that was read, or what
@@ -483,14 +513,12 @@ impl Judge<'_, '_> {
             let seen = self.case.seen(sketch.as_ref().unwrap_or(base), &change);
             let rooms: Vec<Room> = (0..seen.len())
                 .map(|i| {
-                    let [now, right] =
-                        [&seen[i], &self.case.truth[i]].map(|n| n.as_deref().map_or(0.0, size));
-                    let larger = if right > 0.0 { (now / right).max(1.0) } else { 1.0 };
                     let room = self.case.rooms[i];
-                    Room { by: room.by * if larger.is_finite() { larger } else { 1.0 }, ..room }
+                    Room { by: room.by * self.case.times_larger(i, seen[i].as_deref()), ..room }
                 })
                 .collect();
-            // What is nothing for the hand is explained by what is left out, and by no factor.
+            // What is nothing for the hand is explained by what is left out, and by no factor; by another line only together
+            // with what is something.
             let tells = seen[self.first].as_deref().is_none_or(|numbers| {
                 hypothesis.kind.leaves_out()
                     || match nothing {
@@ -498,7 +526,14 @@ impl Judge<'_, '_> {
                         false => self.case.tells(self.first, numbers, rooms[self.first]),
                     }
             });
+            let room = rooms[self.first].by;
+            let vanishes =
+                nothing && seen[self.first].as_deref().is_some_and(|numbers| size(numbers) <= room);
             let tried_one = self.counted(hypothesis.clone(), change, &seen, &rooms);
+            let tells = tells
+                || vanishes
+                    && hypothesis.kind == Kind::WrongLine
+                    && self.shows_elsewhere(&tried_one, &before_it);
             if tells
                 && tried_one.misses[self.first] <= 2.0 * EXPLAINED
                 && !self.acquitted(&tried_one, &before_it)
@@ -508,6 +543,18 @@ impl Judge<'_, '_> {
         }
         tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         tried
+    }
+
+    /// Whether a mistake leads to another open answer that is something, and to which the drawing `before` it does not.
+    fn shows_elsewhere(&self, tried: &Tried, before: &[Option<Vec<f64>>]) -> bool {
+        (0..tried.misses.len()).any(|index| {
+            let was = || self.case.miss(index, before[index].as_deref(), self.case.rooms[index]);
+            index != self.first
+                && self.verdicts[index].is_none()
+                && !self.case.hands_in_nothing(index)
+                && tried.misses[index] <= EXPLAINED
+                && was() > EXPLAINED
+        })
     }
 
     /// The best of them again, with tolerances of their own.

@@ -36,10 +36,13 @@ const UNUSUAL: f64 = 2.0;
 const UNSEEN: f64 = 1.0;
 /// A far-fetched form.
 const FAR: f64 = 4.0;
+/// A fault that further points of the link have by its image, where the solution calculates these anew.
+const BY_IMAGE: f64 = 0.1;
 
 /// What may be wrong with a construction, as it stands after `so_far`.
 pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypothesis> {
-    let mut list = List { case, construction: &so_far.construction, found: Vec::new() };
+    let mut list = List { case, construction: &so_far.construction, normals: Vec::new(), found: Vec::new() };
+    list.normals = list.normal_parts();
     list.given();
     list.assemblies();
     list.laid_off();
@@ -78,6 +81,8 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
 pub(super) struct List<'c, 's> {
     pub(super) case: &'c Case<'s>,
     pub(super) construction: &'c Construction,
+    /// The normal parts that are calculated, each with its link.
+    normals: Vec<(Quantity, LinkId)>,
     pub(super) found: Vec<Hypothesis>,
 }
 
@@ -273,25 +278,50 @@ impl<'c> List<'c, '_> {
     /// Two answers of one kind handed in for each other.
     fn interchanged(&mut self) {
         let observed = self.observed();
+        // Points and numbers of one kind, any two vectors of one polygon, any two forces at pairs.
         let like = |one: &Quantity, other: &Quantity| {
             let plain = |quantity: &Quantity| {
-                matches!(
-                    quantity,
-                    Quantity::Centre(..)
-                        | Quantity::Omega(_)
-                        | Quantity::Alpha(_)
-                        | Quantity::Velocity(_)
-                        | Quantity::Acceleration(_)
-                )
+                matches!(quantity, Quantity::Centre(..) | Quantity::Omega(_) | Quantity::Alpha(_))
             };
-            plain(one) && std::mem::discriminant(one) == std::mem::discriminant(other)
+            let kinds = [one, other].map(std::mem::discriminant);
+            let polygon = |quantity: &Quantity| {
+                let vector = super::answers::is_vector(quantity) && !plain(quantity);
+                let order = Some(quantity.order()).filter(|order| *order != Order::Position);
+                order.filter(|_| vector && !matches!(quantity, Quantity::Force(..)))
+            };
+            let of_pair = |quantity: &Quantity| match quantity {
+                Quantity::Force(force, share) => force.pair().map(|_| *share),
+                _ => None,
+            };
+            plain(one) && kinds[0] == kinds[1]
+                || polygon(one).is_some() && polygon(one) == polygon(other)
+                || of_pair(one).is_some() && of_pair(one) == of_pair(other)
         };
         for (place, &one) in observed.iter().enumerate() {
             for &other in observed[place + 1..].iter().filter(|other| like(&one, other)) {
                 let both = [(one, other), (other, one)].map(|(of, by)| Misreading::TakenFor { of, by });
                 let change = Change { readings: both.to_vec(), ..Change::default() };
                 let (name, how) = (self.name(&one), say!("with {}", self.name(&other)));
-                self.add_so((Kind::Interchanged, how), &name, None, 0.5, change);
+                let same = std::mem::discriminant(&one) == std::mem::discriminant(&other);
+                self.add_so((Kind::Interchanged, how), &name, None, if same { 0.5 } else { 1.0 }, change);
+            }
+        }
+        // Two letters of a polygon.
+        let images: Vec<(&str, Order, Label)> = self
+            .case
+            .observations
+            .iter()
+            .filter_map(|observation| match observation.target {
+                Target::Image(order, label) => Some((observation.name.as_str(), order, label)),
+                _ => None,
+            })
+            .collect();
+        for (place, &(name, order, one)) in images.iter().enumerate() {
+            for &(with, _, other) in images[place + 1..].iter().filter(|(_, of, _)| *of == order) {
+                let both =
+                    [(one, other), (other, one)].map(|(of, by)| Misreading::LetterOf { order, of, by });
+                let change = Change { readings: both.to_vec(), ..Change::default() };
+                self.add_so((Kind::Interchanged, say!("with {}", with)), name, None, 0.5, change);
             }
         }
     }
@@ -498,6 +528,9 @@ impl<'c> List<'c, '_> {
                     read(self, Kind::RatioInverted, PLAIN, Misreading::Inverted { of: quantity });
                 }
                 Quantity::Omega(link) => {
+                    if self.is_wheel(link) {
+                        self.diameter_for_radius(Order::Velocity, link, &name);
+                    }
                     // l / V for V / l, and the arms of the common centre of two links exchanged.
                     read(self, Kind::RatioInverted, UNUSUAL, Misreading::Inverted { of: quantity });
                     let mut omegas = self.omegas();
@@ -527,6 +560,10 @@ impl<'c> List<'c, '_> {
                         }
                     }
                 }
+                // Of a wheel, V or A over its diameter.
+                Quantity::Alpha(link) if self.is_wheel(link) => {
+                    self.diameter_for_radius(Order::Acceleration, link, &name);
+                }
                 Quantity::Rub(_, i, j) => {
                     for factor in [2.0, 0.5] {
                         read(self, Kind::DiameterForRadius, PLAIN, twist(factor));
@@ -554,6 +591,21 @@ impl<'c> List<'c, '_> {
                 _ => {}
             }
         }
+    }
+
+    /// The rate of a wheel by its diameter, written down, or used as well.
+    fn diameter_for_radius(&mut self, order: Order, link: LinkId, name: &str) {
+        let (kind, factor) = (Kind::DiameterForRadius, 0.5);
+        let quantity = if order == Order::Velocity { Quantity::Omega(link) } else { Quantity::Alpha(link) };
+        let twist = Twist::scaled(factor);
+        let written = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+        self.add(kind, name, None, 0.5, written);
+        self.add(kind, name, None, PLAIN, Change::drawn(vec![Departure::Rate { order, link, factor }]));
+    }
+
+    /// Whether a link rolls on another one.
+    fn is_wheel(&self, link: LinkId) -> bool {
+        self.case.mechanism.rolls.iter().any(|roll| roll.bodies().contains(&link))
     }
 
     /// A point of the driven link stands at another angle about its pivot.
@@ -724,6 +776,18 @@ impl<'c> List<'c, '_> {
             "m" => (Kind::MetreMixed, [0.01, 100.0], &[1e-3, 1e3]),
             _ => (Kind::CmAsMm, [0.1, 10.0], &[0.01, 100.0]),
         };
+        for (quantity, factor) in self.case.in_odd_units() {
+            let odd = if [0.1, 10.0].into_iter().any(|ten| (factor / ten - 1.0).abs() < SAME_LENGTH) {
+                Kind::CmAsMm
+            } else if matches!(symbol, "in" | "ft") {
+                Kind::InchAsFoot
+            } else {
+                Kind::MetreMixed
+            };
+            let name = self.name(&quantity);
+            let twisted = Misreading::Twisted { of: Which::One(quantity), twist: Twist::scaled(factor) };
+            self.add(odd, &name, None, PLAIN, Change::read(twisted));
+        }
         let given_speeds = self.case.mechanism.inputs.iter().any(|i| !matches!(i, Input::Angle { .. }));
         for &factor in far {
             let kind = Kind::MetreMixed;
@@ -791,7 +855,9 @@ impl<'c> List<'c, '_> {
             for of in all {
                 let mut among = self.observed();
                 among.retain(|quantity| self.case.includes(of, quantity));
-                if !known.contains(&among) {
+                // Nothing is said of a figure that is answered, and none of whose answers it would change.
+                let told = among.is_empty() && self.case.answers(order);
+                if !told && !known.contains(&among) {
                     known.push(among);
                     scopes.push((of, order, at.clone()));
                 }
@@ -1011,10 +1077,21 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::NormalMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
-                    if value > 0.0 && speed > 0.0 {
-                        let twist = Twist::scaled(length / speed.abs());
+                    if value > 0.0 && speed != 0.0 {
+                        let speed = speed.abs();
+                        let twist = Twist::scaled(length / speed);
                         self.twisted(Kind::NormalNotSquared, &quantity, step, 0.5, twist);
                         self.written(Kind::NormalNotSquared, &quantity, step, twist);
+                        for (how, price, factor) in self.squares_forgotten(speed, length) {
+                            let (name, twist) = (self.name(&quantity), Twist::scaled(factor));
+                            for (change, more) in [
+                                (Change::drawn(vec![Departure::LaidOff { quantity, twist }]), 0.0),
+                                (Change::read(Misreading::Twisted { of: Which::One(quantity), twist }), 0.25),
+                            ] {
+                                let kind = (Kind::WrongFormula, how.clone());
+                                self.add_so(kind, &name, Some(step), price + more, change);
+                            }
+                        }
                     }
                     if value > 0.0 {
                         self.normals_of_others(&quantity, step, ends, [speed, length, value], &turning);
@@ -1081,16 +1158,56 @@ impl<'c> List<'c, '_> {
         others.iter().filter_map(|other| Some((self.name(other), long(other)? / own))).collect()
     }
 
-    /// Several normal parts at once: outward, or ω·l for ω²·l.
+    /// The normal parts that are calculated, each with its link.
+    fn normal_parts(&self) -> Vec<(Quantity, LinkId)> {
+        let normal = |(_, act): (usize, &Act)| match *act {
+            Act::Calculate(Calculation::Normal { quantity, ends, .. }) => {
+                Some((quantity, self.link_of(&quantity, ends)))
+            }
+            _ => None,
+        };
+        self.acts().into_iter().filter_map(normal).collect()
+    }
+
+    /// V/l and V² for V²/l, of a point with this velocity at this distance, as factors of what is right. As numbers they hang
+    /// on the unit of length: that of the scene or of an answer is the likelier one.
+    fn squares_forgotten(&self, speed: f64, length: f64) -> Vec<(Phrase, f64, f64)> {
+        let of_answers = self.case.observations.iter().filter_map(|observation| {
+            let order = observation.quantity.as_ref()?.order();
+            let time = self.case.scene.units.time.si;
+            let time = if order == Order::Acceleration { time * time } else { time };
+            observation
+                .quantity
+                .as_ref()
+                .is_some_and(super::answers::is_vector)
+                .then(|| observation.unit.si * time)
+        });
+        let mut units: Vec<(f64, f64)> = Vec::new();
+        let likely = [self.case.scene.units.length.si].into_iter().chain(of_answers).map(|unit| (unit, 0.5));
+        for (unit, price) in likely.chain([1.0, 0.01, 0.001].map(|unit| (unit, 1.0))) {
+            if !units.iter().any(|(known, _)| (known / unit - 1.0).abs() < SAME_LENGTH) {
+                units.push((unit, price));
+            }
+        }
+        let ways = |(unit, price): (f64, f64)| {
+            [
+                (say!("V/l in the place of V²/l"), price, unit / speed),
+                (say!("V² without its length"), price + 0.25, length / unit),
+            ]
+        };
+        units.into_iter().flat_map(ways).collect()
+    }
+
+    /// Several normal parts at once: outward, or reckoned by ω·l, V/l or V².
     fn every_normal(&mut self) {
         let driven = self.driven();
-        let normals: Vec<(Quantity, bool, f64)> = self
+        let normals: Vec<(Quantity, bool, [f64; 2])> = self
             .acts()
             .into_iter()
             .filter_map(|(_, act)| match *act {
-                Act::Calculate(Calculation::Normal { quantity, ends, speed, length, .. }) => {
+                Act::Calculate(Calculation::Normal { quantity, ends, speed, length, value, .. }) => {
                     let given = driven.contains(&self.link_of(&quantity, ends));
-                    Some((quantity, given, if speed == 0.0 { 1.0 } else { length / speed.abs() }))
+                    Some((quantity, given, [if value > 0.0 { speed.abs() } else { 0.0 }, length]))
                 }
                 _ => None,
             })
@@ -1102,22 +1219,34 @@ impl<'c> List<'c, '_> {
             if of().count() < 2 || (all && found == normals.len()) {
                 continue;
             }
-            let drawn = |factor: &dyn Fn(f64) -> f64| {
-                let twist = |of: f64| Twist::scaled(factor(of));
-                Change::drawn(
-                    of().map(|&(quantity, _, root)| Departure::LaidOff { quantity, twist: twist(root) })
-                        .collect(),
-                )
+            // What is zero stays so.
+            let drawn = |factor: &dyn Fn([f64; 2]) -> f64| {
+                let twist = |of: [f64; 2]| Twist::scaled(if of[0] == 0.0 { 1.0 } else { factor(of) });
+                let laid_off =
+                    of().map(|&(quantity, _, of)| Departure::LaidOff { quantity, twist: twist(of) });
+                Change::drawn(laid_off.collect())
             };
             self.add(Kind::NormalAwayFromCentre, &at, None, 1.0, drawn(&|_| -1.0));
-            self.add(Kind::NormalNotSquared, at, None, 0.5, drawn(&|root| root));
+            self.add(Kind::NormalNotSquared, at.clone(), None, 0.5, drawn(&|[speed, length]| length / speed));
+            for (way, (how, price, _)) in self.squares_forgotten(1.0, 1.0).into_iter().enumerate() {
+                let change = drawn(&|[speed, length]| self.squares_forgotten(speed, length)[way].2);
+                self.add_so((Kind::WrongFormula, how), &at, None, price, change);
+            }
         }
     }
 
     fn twisted(&mut self, kind: Kind, quantity: &Quantity, step: usize, price: f64, twist: Twist) {
-        let departure = Departure::LaidOff { quantity: *quantity, twist };
+        let laid_off = |quantity: Quantity| Departure::LaidOff { quantity, twist };
         let name = self.name(quantity);
-        self.add(kind, &name, Some(step), price, Change::drawn(vec![departure]));
+        self.add(kind, &name, Some(step), price, Change::drawn(vec![laid_off(*quantity)]));
+        // Further points of the link by its image have the same fault.
+        let own = self.normals.iter().find(|(of, _)| of == quantity);
+        let beside = |of: LinkId| self.normals.iter().filter(move |(_, link)| *link == of);
+        let image: Vec<Departure> =
+            own.map_or_else(Vec::new, |(_, link)| beside(*link).map(|(of, _)| laid_off(*of)).collect());
+        if image.len() > 1 {
+            self.add(kind, &name, Some(step), price + BY_IMAGE, Change::drawn(image));
+        }
     }
 
     /// The same of the number alone: what follows from it was drawn rightly, or by another.
@@ -1746,8 +1875,10 @@ impl<'c> List<'c, '_> {
             .collect();
         for quantity in self.read() {
             if super::answers::is_vector(&quantity) {
-                // A reading that nobody sees is the less likely one.
-                let price = if self.observed().contains(&quantity) { PLAIN } else { UNSEEN };
+                // A reading that nobody sees is the less likely one, and what is calculated is not read.
+                let seen = self.observed().contains(&quantity);
+                let read = self.case.includes(Which::Read(quantity.order()), &quantity);
+                let price = if seen && read { PLAIN } else { UNSEEN };
                 scopes.push((Which::One(quantity), self.name(&quantity).into(), price));
             }
         }

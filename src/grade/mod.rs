@@ -159,9 +159,10 @@ pub fn grade_with_overlay(
             own.places.push((quantity, at, right));
             spots[index] = Some(Spot::In(DiagramKind::Skeleton, at));
         }
-        if let Some(force) = case.force_handed_in(index) {
+        let forces = case.force_handed_in(index);
+        if !forces.is_empty() {
             spots[index] = Some(Spot::Force(own.forces.len()));
-            own.forces.push(force);
+            own.forces.extend(forces);
         }
     }
     let named: Vec<String> = report

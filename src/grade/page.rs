@@ -34,15 +34,41 @@ fn unit(text: &str) -> String {
     text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace(" deg", "°")
 }
 
+/// Whether a sign is a letter of Arabic script.
+fn is_arabic(sign: char) -> bool {
+    sign.is_alphabetic()
+        && matches!(sign, '\u{600}'..='\u{6ff}' | '\u{750}'..='\u{77f}' | '\u{8a0}'..='\u{8ff}')
+}
+
 impl Report {
     /// A sentence as hypertext, with names as the sheet prints them.
     fn html(&self, phrase: &Phrase) -> String {
         self.symbols.html(&phrase.told(self.language))
     }
 
-    /// Numbers and units, which run from left to right in every language.
+    /// Numbers with their units, each of which runs from left to right in every language, among words that need not.
     fn numbers(&self, phrase: &Phrase) -> String {
-        format!("<bdi>{}</bdi>", unit(&escaped(&phrase.told(self.language))))
+        let told = unit(&escaped(&phrase.told(self.language)));
+        if !self.language.words().right_to_left {
+            return format!("<bdi>{told}</bdi>");
+        }
+        let mut text = String::from("<bdi dir=\"rtl\">");
+        let mut rest = &told[..];
+        while let Some(first) = rest.chars().next() {
+            let word = is_arabic(first);
+            let end = rest.find(|sign| is_arabic(sign) != word).unwrap_or(rest.len());
+            let (run, after) = rest.split_at(end);
+            let bare = run.trim();
+            if word || bare.is_empty() {
+                text.push_str(run);
+            } else {
+                let [before, behind] = [run.len() - run.trim_start().len(), run.trim_end().len()];
+                let _ = write!(text, "{}<bdi dir=\"ltr\">{bare}</bdi>{}", &run[..before], &run[behind..]);
+            }
+            rest = after;
+        }
+        text.push_str("</bdi>");
+        text
     }
 
     /// The report as a page of hypertext, with the overlay (an SVG) where there is one.

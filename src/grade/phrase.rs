@@ -307,6 +307,8 @@ const PHRASES: &[Row] = &[
     ["the highest level alone", "المستوى الأعلى وحده", "تنها بالاترین تراز"],
     ["the lowest level alone", "المستوى الأدنى وحده", "تنها پایین‌ترین تراز"],
     ["the lowest level with the wrong sign", "المستوى الأدنى بإشارة معكوسة", "پایین‌ترین تراز با علامت وارونه"],
+    ["V/l in the place of V²/l", "V/l بدل V²/l", "V/l به جای V²/l"],
+    ["V² without its length", "V² دون القسمة على الطول", "V² بدون تقسیم بر طول"],
     ["M·k in the place of M·k²", "M·k بدل M·k²", "M·k به جای M·k²"],
     ["a whole turn", "دورة كاملة", "یک دور کامل"],
     ["half a turn", "نصف دورة", "نیم دور"],
@@ -355,7 +357,7 @@ const PHRASES: &[Row] = &[
 
     // Verdicts.
     ["right", "صحيح", "درست"],
-    ["follows rightly from an earlier fault", "ناتج صحيح من خطأ سابق", "از اشتباهی پیشین درست به دست آمده"],
+    ["follows rightly from another fault", "ناتج صحيح من خطأ آخر", "از اشتباهی دیگر درست به دست آمده"],
     ["wrong", "خطأ", "نادرست"],
     ["not determined here", "غير معين هنا", "در اینجا نامعین"],
     ["right ({})", "صحيح ({})", "درست ({})"],
@@ -367,7 +369,7 @@ const PHRASES: &[Row] = &[
     ["wrong: the magnitude", "خطأ: القيمة", "نادرست: مقدار"],
     ["wrong: the direction", "خطأ: منحى المتجه", "نادرست: راستا"],
     ["wrong: magnitude and direction", "خطأ: القيمة ومنحى المتجه", "نادرست: مقدار و راستا"],
-    ["follows rightly from an earlier fault ({} is right)", "ناتج صحيح من خطأ سابق (الصحيح {})", "از اشتباهی پیشین درست به دست آمده ({} درست است)"],
+    ["follows rightly from another fault ({} is right)", "ناتج صحيح من خطأ آخر (الصحيح {})", "از اشتباهی دیگر درست به دست آمده ({} درست است)"],
     ["{}, which costs its mark here", "{}، ويكلف علامته هنا", "{}، که نمره‌اش اینجا کم می‌شود"],
     ["{}, no marks", "{}، بلا علامة", "{}، بی‌نمره"],
     ["{}, with marks for the part that is right", "{}، مع علامة للجزء الصحيح", "{}، با نمره برای بخش درست"],

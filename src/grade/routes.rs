@@ -55,10 +55,9 @@ pub(super) fn follows(
     let seen = &case.seen(base, drawn);
     let desk = Desk { case, base, seen, verdicts, index };
     let fits = |numbers: &[f64]| {
-        let right = case.truth[index].as_deref().map_or(0.0, size);
-        let larger = if right > 0.0 { (size(numbers) / right).max(1.0) } else { 1.0 };
-        let room = allowed.of_size(size(numbers), right);
-        let room = Room { by: room.by * larger, ..room }.and(case.most(index, numbers));
+        let room = allowed.of_size(size(numbers), case.right_size(index));
+        let room = Room { by: room.by * case.times_larger(index, Some(numbers)), ..room }
+            .and(case.most(index, numbers));
         case.tells(index, numbers, room) && case.miss(index, Some(numbers), room) <= 1.0
     };
     desk.calculates(&fits) || !desk.is_settled() && steps::lead_to(case, drawn, verdicts, (index, by), &fits)

@@ -93,9 +93,8 @@ pub(super) fn is_the_students(
         verdicts[*other].is_some_and(|verdict| held.contains(&verdict)) && !case.hands_in_nothing(*other)
     };
     (0..index).filter(judged).all(|other| {
-        let [own, right] = [&seen[other], &case.truth[other]].map(|n| n.as_deref().map_or(0.0, size));
-        let larger = if right > 0.0 { (own / right).max(1.0) } else { 1.0 };
-        case.miss(other, seen[other].as_deref(), case.rooms[other].times(HIS * larger)) <= 1.0
+        let own = seen[other].as_deref();
+        case.miss(other, own, case.rooms[other].times(HIS * case.times_larger(other, own))) <= 1.0
     })
 }
 

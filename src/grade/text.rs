@@ -15,7 +15,7 @@ impl Verdict {
     pub fn told(self) -> Phrase {
         match self {
             Self::Right => say!("right"),
-            Self::Consistent => say!("follows rightly from an earlier fault"),
+            Self::Consistent => say!("follows rightly from another fault"),
             Self::Wrong => say!("wrong"),
             Self::NotChecked => say!("not determined here"),
         }
@@ -342,7 +342,7 @@ fn row(graded: &Graded, symbols: &Symbols, language: Language) -> [String; 3] {
         }
         (Verdict::Wrong, _) => say!("wrong: {} is right", graded.expected_within()),
         (Verdict::Consistent, _) => {
-            say!("follows rightly from an earlier fault ({} is right)", graded.expected())
+            say!("follows rightly from another fault ({} is right)", graded.expected())
         }
         (Verdict::NotChecked, _) => Verdict::NotChecked.told(),
     };

@@ -17,11 +17,16 @@ impl Mistake {
     /// The mistake alone in words.
     #[must_use]
     pub fn own_text(&self) -> Phrase {
-        let text = Phrase::said(told(self.kind), vec![self.at.clone()]);
+        let text = self.kind_text();
         match &self.how {
             Some(how) => say!("{} ({})", text, how),
             None => text,
         }
+    }
+
+    /// The mistake without what exactly was done, which differs from student to student.
+    pub(super) fn kind_text(&self) -> Phrase {
+        Phrase::said(told(self.kind), vec![self.at.clone()])
     }
 
     /// What the student should look at, as a sentence.

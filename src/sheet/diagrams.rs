@@ -102,15 +102,17 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
     }
     let note = unconfirmed.map(|why| Rich::fill(words.sweep_unconfirmed, &[("why", Rich::upright(why))]));
     let notes = note.into_iter().map(|note| (note, "unconfirmed"));
-    for (caption, class) in notes.chain([(caption(&notation, sweep), "caption")]) {
+    let seen = Seen::new(sweep);
+    let stacks = motions::stacks(sweep, |columns| seen.looks(columns));
+    let numbered = |panel: &Panel| matches!(panel, Panel::Plane(_) | Panel::Polar(_));
+    let caption = caption(&notation, sweep, stacks.iter().flatten().any(numbered));
+    for (caption, class) in notes.chain([(caption, "caption")]) {
         for text in caption.wrap(SMALL, line) {
             let below = text.set(SMALL);
             below.put(&mut first, Point::new(begin(&below, MARGIN, line), top), class);
             top += 4.5;
         }
     }
-    let seen = Seen::new(sweep);
-    let stacks = motions::stacks(sweep, |columns| seen.looks(columns));
     let mut pages = vec![first];
     // How far each of the two columns of a page is filled; of Arabic script the right one comes first.
     let mut filled = [top; 2];
@@ -166,8 +168,8 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
     }
 }
 
-/// What is varied, its range, and how long that takes.
-fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
+/// What is varied, its range, how long that takes, and what the numbers mean where curves are `numbered`.
+fn caption(notation: &Notation<'_>, sweep: &Sweep, numbered: bool) -> Rich {
     let words = notation.words;
     let unit = input_unit(notation, sweep);
     // In the order of the motion: an angle that turns clockwise grows smaller.
@@ -184,6 +186,9 @@ fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
     }
     if sweep.is_backwards() {
         text = text.up(words.comma).up(words.sweep_backwards);
+    }
+    if !numbered {
+        return text;
     }
     let ends = [("first", 0), ("last", NUMBERED - 1)].map(|(name, n)| (name, Rich::upright(n.to_string())));
     text.up(words.semicolon).then(&Rich::fill(words.sweep_numbers, &ends))

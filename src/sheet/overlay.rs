@@ -151,6 +151,25 @@ pub fn overlay(
                 arrows.push((vector.from, vector.to, vector.head, true));
             }
         }
+        // Where a point that was handed in stands elsewhere than it would follow, he drew something else: what would follow
+        // is not his.
+        let elsewhere = |point: PointId| {
+            own.vectors.iter().any(|vector| {
+                let from_pole = libm::hypot(vector.from[0], vector.from[1]) == 0.0;
+                let follows =
+                    drawn.and_then(|drawn| drawn.images.iter().rev().find(|one| one.label == vector.head));
+                vector.diagram == polygon.kind
+                    && from_pole
+                    && image_of(vector.head) == Some(point)
+                    && follows.is_some_and(|one| {
+                        libm::hypot(one.at[0] - vector.to[0], one.at[1] - vector.to[1]) > TWICE
+                    })
+            })
+        };
+        arrows.retain(|(from, to, head, _)| {
+            let handed_in = |vector: &HandedIn| (vector.from, vector.to, vector.head) == (*from, *to, *head);
+            own.vectors.iter().any(handed_in) || !image_of(*head).is_some_and(elsewhere)
+        });
         let here = told(&|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
         // What stands metres away would leave nothing else to be seen.
         arrows.retain(|(from, to, ..)| [from, to].into_iter().all(|at| libm::hypot(at[0], at[1]) <= reach));
@@ -267,7 +286,8 @@ fn draw_places(panel: &mut Group, places: &[(Quantity, Mm2, Mm2)], skeleton: Rec
     }
 }
 
-/// The forces on a body one after the other, as they close, and the student's from where the right ones begin.
+/// The forces on a body one after the other, as they close, and over them the student's polygon, from the first of his forces
+/// that is not right: tip to tail as well, with the right forces where he has no other.
 fn force_polygon(
     body: &FreeBody,
     (index, own): (usize, &[OwnForce]),
@@ -286,22 +306,31 @@ fn force_polygon(
             name(panel, letter, from.midpoint(to), 0.0, "label");
         }
     };
-    let mut from = Mm2::default();
+    let after = |from: Mm2, force: [f64; 2]| [0, 1].map(|axis| from[axis] + scale * force[axis]);
+    let (mut from, mut own_from) = (Mm2::default(), Mm2::default());
     let mut circles: Vec<(Point, Option<usize>)> = Vec::new();
-    for acting in body.acting.iter().filter(|acting| long(acting.force) > 0.0) {
-        let to = [0, 1].map(|axis| from[axis] + scale * acting.force[axis]);
+    for acting in &body.acting {
+        let to = after(from, acting.force);
         let letter = force_names::acting(notation, acting.action);
-        arrow(&mut panel, page(from), page(to), &letter, Dash::Solid, "force");
-        let of = |own: &OwnForce| (own.body, own.action) == (index, acting.action);
-        for (place, &OwnForce { force, .. }) in own.iter().enumerate().filter(|(_, own)| of(own)) {
-            // What would leave the sheet is drawn as far as it goes.
-            let short = (FARTHEST * LARGEST_FORCE / (scale * long(force))).min(1.0);
-            let end = page([0, 1].map(|axis| from[axis] + short * scale * force[axis]));
-            arrow(&mut panel, page(from), end, &letter.clone().up("*"), Dash::Dashed, "student");
-            let here = faults.iter().filter(|(spot, _)| *spot == Spot::Force(place));
-            circles.extend(here.map(|(_, number)| (end, *number)));
+        let of = |own: &&OwnForce| (own.body, own.action) == (index, acting.action);
+        let handed_in = own.iter().rposition(|own| of(&own));
+        let force = handed_in.map_or(acting.force, |place| own[place].force);
+        if long(acting.force) > 0.0 {
+            arrow(&mut panel, page(from), page(to), &letter, Dash::Solid, "force");
         }
-        from = to;
+        let apart = libm::hypot(own_from[0] - from[0], own_from[1] - from[1]) > SAME;
+        let end = after(own_from, force);
+        // What would leave the sheet is drawn as far as it goes, and nothing goes on from there.
+        let reach = scale * long(force);
+        let short = (FARTHEST * LARGEST_FORCE / reach).min(1.0);
+        if (apart || handed_in.is_some()) && reach > 0.0 {
+            let tip = after(own_from, force.map(|part| short * part));
+            arrow(&mut panel, page(own_from), page(tip), &letter.up("*"), Dash::Dashed, "student");
+            let here =
+                |(spot, _): &&(Spot, Option<usize>)| handed_in.is_some_and(|at| *spot == Spot::Force(at));
+            circles.extend(faults.iter().filter(here).map(|(_, number)| (page(tip), *number)));
+        }
+        (from, own_from) = (to, if short < 1.0 { to } else { end });
     }
     for (at, number) in circles {
         circle(&mut panel, at, number);
@@ -347,6 +376,14 @@ fn arranged(blocks: Vec<(Group, f64, f64)>) -> (Group, f64) {
         at += if beside { Vec2::new(width + BETWEEN, 0.0) } else { Vec2::new(0.0, own) };
     }
     (root, height)
+}
+
+/// Of which point an image or the end of a component is.
+fn image_of(label: Label) -> Option<PointId> {
+    match label {
+        Label::Image { point, .. } | Label::Foot { point, .. } => Some(point),
+        Label::Pole | Label::Trial { .. } => None,
+    }
 }
 
 /// The student's vectors where they differ: tail, head, name of the head, whether it is one of those that are drawn thick.
