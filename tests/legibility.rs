@@ -849,6 +849,50 @@ fn rows_of(table: &Group) -> Vec<Vec<&Text>> {
     for node in &table.children {
         let Node::Text(text) = node else { continue };
         match rows.last_mut() {
+/// In a picture of the steps nothing has a name that is not drawn there: a point that will fall on another one, a vector
+/// that will lie on another one, is named when a step finds it.
+#[test]
+fn a_step_sheet_names_what_is_drawn_already() {
+    let told = |group: &Group, key: &str| {
+        group.data.iter().find(|(name, _)| *name == key).map(|(_, value)| value.clone())
+    };
+    // Names, and the images and vectors that are drawn, of one picture of a polygon.
+    let read = |picture: &Group| -> (Vec<String>, HashSet<String>) {
+        let (mut names, mut drawn) = (Vec::new(), HashSet::new());
+        for own in within(picture) {
+            let of = told(own, "of").filter(|_| own.class.split(' ').any(|class| class == "name"));
+            names.extend(of.iter().flat_map(|of| of.split(' ')).map(str::to_owned));
+            drawn.extend(told(own, "point").or_else(|| told(own, "quantity")));
+        }
+        (names, drawn)
+    };
+    let (mut pictures, mut late, mut early) = (0, 0, Vec::new());
+    let own = ["rolling-wheel", "whitworth", "rack-pinion", "rack-wheel", "rolling-rocker", "oblique-yoke"];
+    let kinds = KINDS.iter().filter(|kind| own.contains(&kind.name));
+    let kinds = kinds.map(|kind| (kind.name, linkgram::scene::read(kind.scene, kind.name).unwrap()));
+    let examples = ["pairs/wheel-on-moving-plane", "pairs/planet-and-rod", "pairs/wheel-in-ring"];
+    let examples = examples.map(|name| (name, common::example(name)));
+    for (name, scene) in kinds.chain(examples) {
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        let figure = sheet::step_by_step(&scene, &solved.solution.construction, Language::English);
+        for kind in ["velocity", "acceleration"] {
+            let is = |group: &&Group| group.class.split(' ').take(2).eq([kind, "polygon"]);
+            let all: Vec<_> = within(&figure.root).into_iter().filter(is).map(read).collect();
+            let Some((_, finished)) = all.last() else { continue };
+            for (i, (names, drawn)) in all.iter().enumerate() {
+                pictures += 1;
+                late += usize::from(i > 0 && names.len() > all[i - 1].0.len());
+                // What lies outside the picture has its name at the border, and no ink.
+                for own in names.iter().filter(|own| finished.contains(*own) && !drawn.contains(*own)) {
+                    early.push(format!("{name}: {own} in picture {} of the {kind} diagram", i + 1));
+                }
+            }
+        }
+    }
+    assert!(pictures > 30 && late > 10, "{pictures} pictures, {late} with further names");
+    assert!(early.is_empty(), "{}: {early:#?}", early.len());
+}
+
             Some(row) if text.runs[0].at.x > row[row.len() - 1].runs[0].at.x => row.push(text),
             _ => rows.push(vec![text]),
         }

@@ -99,6 +99,52 @@ pub struct Request {
     pub stroke: Option<(Point, Point)>,
     /// The point to which a leader ties it wherever it stands.
     pub tie: Option<Point>,
+    /// The names of which the text consists, where they came onto the paper one after the other; none where it is one.
+    pub pieces: Vec<Piece>,
+}
+
+/// One of several names that stand beside each other, as `a` of `o,a`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// The name, with what parts it from the one before it.
+    pub text: Rich,
+    /// The same with what parts it from the one after it, where they run towards their point.
+    pub reversed: Rich,
+    /// What it names.
+    pub names: Vec<String>,
+    /// When it came onto the paper.
+    pub life: Life,
+}
+
+/// The pieces of a name of things that fall together, in the order in which they came onto the paper; none where all came at
+/// once. A separator stands between each two.
+#[must_use]
+pub fn pieces(names: Vec<(Rich, Vec<String>, Life)>, separator: &Rich) -> Vec<Piece> {
+    let mut names = names;
+    names.sort_by_key(|(.., life)| life.born);
+    let mut all: Vec<(Vec<Rich>, Vec<String>, Life)> = Vec::new();
+    for (text, of, life) in names {
+        match all.last_mut().filter(|(.., own)| own.born == life.born) {
+            Some((texts, own_names, own)) => {
+                texts.push(text);
+                own_names.extend(of);
+                own.read = [own.read, life.read].into_iter().flatten().min();
+            }
+            None => all.push((vec![text], of, life)),
+        }
+    }
+    if all.len() < 2 {
+        return Vec::new();
+    }
+    let piece = |(k, (texts, names, life)): (usize, (Vec<Rich>, Vec<String>, Life))| {
+        let text = Rich::join(&texts, separator);
+        let [text, reversed] = match k {
+            0 => [text.clone(), text],
+            _ => [separator.clone().then(&text), text.then(separator)],
+        };
+        Piece { text, reversed, names, life }
+    };
+    all.into_iter().enumerate().map(piece).collect()
 }
 
 /// What stands among the names without asking for one here.
@@ -145,6 +191,7 @@ impl Request {
             leader: false,
             names: Vec::new(),
             life: None,
+            pieces: Vec::new(),
             strict: false,
             stroke: None,
             tie: None,
@@ -574,6 +621,14 @@ pub fn place_among(group: &Group, requests: &[Request], within: Option<Rect>, ot
     for (i, request) in requests.iter().enumerate() {
         let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
         let at = bodies[i].start(candidate.centre);
+        if !request.pieces.is_empty() {
+            let leftward = match request.sites.get(candidate.site) {
+                Some(Site::Around { at: point, .. }) => bodies[i].line.ink_at(at).x1 < point.x,
+                _ => false,
+            };
+            put_pieces(&mut out, request, at, candidate.leader, leftward);
+            continue;
+        }
         let mut own = match request.names.as_slice() {
             [] => Group::default(),
             names => Group::new("name").data("of", names.join(" ")),
@@ -594,6 +649,27 @@ pub fn place_among(group: &Group, requests: &[Request], within: Option<Rect>, ot
         }
     }
     out
+}
+
+/// A name in its pieces, each a group of its own: what came first stands next to the point that they name.
+fn put_pieces(out: &mut Group, request: &Request, at: Point, leader: Option<(Point, Point)>, leftward: bool) {
+    let first = request.pieces.first().map(|piece| piece.life.born);
+    let mut order: Vec<&Piece> = request.pieces.iter().collect();
+    if leftward {
+        order.reverse();
+    }
+    let mut pen = at;
+    for piece in order {
+        let mut own = Group::new("name").data("of", piece.names.join(" ")).lived(Some(piece.life));
+        if let Some((from, to)) = leader.filter(|_| Some(piece.life.born) == first) {
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
+        }
+        let text = if leftward { &piece.reversed } else { &piece.text };
+        let line = text.set(request.size);
+        line.put(&mut own, pen, request.class);
+        pen.x += line.width;
+        out.group(own);
+    }
 }
 
 /// What the price of a place depends on.

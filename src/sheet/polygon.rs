@@ -10,7 +10,7 @@ use super::detail::{self, Spot};
 use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
 use super::growth::Images;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, head, hull, page, right_angle};
-use super::labels::{Others, Request, Site, place_among};
+use super::labels::{self, Others, Request, Site, place_among};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
@@ -450,9 +450,24 @@ fn labels(
             None => Site::Around { at, radius, toward: outward(at, polygon) },
         };
         let of = labels.iter().map(|l| notation.image_name(*l, polygon.kind));
-        // What falls on a point that has a name already stands beside it from the first.
         let born = births.and_then(|births| labels.iter().map(|l| births.label(*l)).min());
         let mut request = Request::new(text, LABEL, site, "label image-name").naming(of).lived(born);
+        // What falls on a point that has a name already is named there when it is found.
+        if let Some(births) = births {
+            let mut own: Vec<(Rich, Vec<String>, Life)> = Vec::new();
+            for label in &labels {
+                let of = notation.image_name(*label, polygon.kind);
+                let (name, born) = (notation.image(*label, polygon.kind), births.label(*label));
+                match own.iter_mut().find(|(other, ..)| *other == name) {
+                    Some((_, names, life)) => {
+                        names.push(of);
+                        life.born = life.born.min(born);
+                    }
+                    None => own.push((name, vec![of], born.into())),
+                }
+            }
+            request.pieces = labels::pieces(own, &Rich::upright(","));
+        }
         request.leader = true;
         request.strict = true;
         // Beside a spot it is the name of one of several points.
@@ -486,13 +501,20 @@ fn labels(
         match named.iter_mut().find(|n| same(n) || nearly(n)) {
             Some(own) => {
                 own.about |= !same(own);
-                if !own.names.contains(&name) {
-                    own.names.push(name);
-                }
-                if !own.of.contains(&of) {
-                    own.of.push(of);
-                }
                 own.life = earlier(own.life, life);
+                match own.names.iter().position(|other| *other == name) {
+                    Some(place) => {
+                        let (names, since) = &mut own.of[place];
+                        if !names.contains(&of) {
+                            names.push(of);
+                        }
+                        *since = earlier(*since, life);
+                    }
+                    None => {
+                        own.names.push(name);
+                        own.of.push((vec![of], life));
+                    }
+                }
             }
             None => named.push(Named {
                 from,
@@ -500,7 +522,7 @@ fn labels(
                 ends: [vector.tail, vector.head],
                 names: vec![name],
                 about: false,
-                of: vec![of],
+                of: vec![(vec![of], life)],
                 life,
             }),
         }
@@ -511,8 +533,12 @@ fn labels(
         let site = |(from, to)| Site::Along { from, to };
         let mut sites = own.free_pieces(&named).into_iter().map(site);
         let first = sites.next().unwrap_or(site((own.from, own.to)));
-        let mut request =
-            Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone()).lived(own.life);
+        let mut request = Request::new(text, SMALL, first, VECTOR_NAME).naming(own.all_of()).lived(own.life);
+        let apart = own.names.iter().zip(&own.of);
+        let apart = apart.map(|(name, (of, life))| life.map(|life| (name.clone(), of.clone(), life)));
+        if let Some(apart) = apart.collect() {
+            request.pieces = labels::pieces(apart, &Rich::upright(sign));
+        }
         request.sites.extend(sites);
         request.strict = true;
         request.stroke = Some((own.from, own.to));
@@ -530,8 +556,8 @@ struct Named {
     names: Vec<Rich>,
     /// They differ by less than is drawn.
     about: bool,
-    /// The quantities, as the vectors' data call them.
-    of: Vec<String>,
+    /// Of each name the quantities, as the vectors' data call them, and since when it stands there.
+    of: Vec<(Vec<String>, Option<Life>)>,
     life: Option<Life>,
 }
 
@@ -543,6 +569,17 @@ fn earlier(one: Option<Life>, other: Option<Life>) -> Option<Life> {
 }
 
 impl Named {
+    /// All its quantities, each once.
+    fn all_of(&self) -> Vec<String> {
+        let mut all: Vec<String> = Vec::new();
+        for of in self.of.iter().flat_map(|(of, _)| of) {
+            if !all.contains(of) {
+                all.push(of.clone());
+            }
+        }
+        all
+    }
+
     /// The pieces of the stroke beside which no shorter one lies, the longest first, then the whole: two
     /// vectors on one line are named where each is alone.
     fn free_pieces(&self, all: &[Self]) -> Vec<(Point, Point)> {
