@@ -460,3 +460,75 @@ fn an_acceleration_is_laid_off_in_the_sense_of_alpha() {
         );
     }
 }
+
+/// A wheel that rolls on a line of a moving link is given with where that line lies, in the words of guides.
+#[test]
+fn a_rail_of_a_moving_link_is_given_with_its_place() {
+    let scene = |line: &str| {
+        common::read(&format!(
+            r#"{{"units": {{"length": "mm"}}, "fixed": {{"O2": [0, 0], "O4": [150, 90]}}, "links": {{
+            "2": {{"joins": ["O2", "A"], "length": 200}}, "3": {{"joins": ["O4", "C"], "length": 75}},
+            "4": {{"joins": ["C"]}}}}, "rolls": [{{"links": [2, 4], "line": {{"link": 2, {line}}}, "centre": "C", "radius": 25}}],
+            "near": {{"C": [100, 65]}}, "input": {{"link": 2, "angle": 0, "omega": "3 rad/s ccw"}},
+            "find": ["v(C)", "omega(4)"]}}"#
+        ))
+    };
+    for (line, told) in [
+        (
+            r#""through": [30, 15], "angle": 12"#,
+            "rolls on the line of link 2 through its (30; 15) mm at 12° from O_2, x along O_2A",
+        ),
+        (
+            r#""through": "O2", "toward": "A", "offset": 40"#,
+            "rolls on the line O_2A of link 2 offset 40 mm to the left",
+        ),
+        (r#""through": "O2", "toward": "A", "turned": 8"#, "rolls on the line O_2A of link 2 turned by 8°"),
+        (
+            r#""through": "O2", "angle": 180, "offset": -40"#,
+            "rolls on the line O_2A of link 2 turned by 180° offset 40 mm to the right",
+        ),
+        (r#""through": "O2", "toward": "A""#, "rolls on the line O_2A of link 2"),
+    ] {
+        let scene = scene(line);
+        let lines = told_given(&scene);
+        assert!(lines.contains(told), "{line}: {lines}");
+        let question = question(&scene);
+        assert!(question.contains(told), "{line}: {question}");
+    }
+}
+
+/// All that stands on a solution, as one text with plain blanks.
+fn told_given(scene: &Scene) -> String {
+    let mut all = String::new();
+    solution(scene).root.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            all.push_str(&characters(text).replace(['\u{a0}', '\u{2009}'], " "));
+            all.push(' ');
+        }
+    });
+    all
+}
+
+/// ω from link to link is told with its construction: V of the known pin turned onto its line to the pole, the parallel that
+/// finds the next pin's, and what the two lengths differ by.
+#[test]
+fn omega_from_link_to_link_has_its_construction() {
+    for name in ["centres/offset-slider-crank", "centres/four-bar"] {
+        let lines = told(&solution(&common::example(name)));
+        let line = lines.iter().find(|line| line.contains(" differ by ") || line.contains(" lies against "));
+        let Some(line) = line else { continue };
+        let place = |part: &str| line.find(part).unwrap_or_else(|| panic!("{name}: no {part} in {line}"));
+        let parts = [
+            "Turn V_A by 90° onto the line from A to (",
+            "The parallel to AB through it meets the line from B to (",
+            "in B′",
+            "A′B′ = ",
+            "which is V_BA turned",
+            "ω_3 = ",
+        ];
+        let places = parts.map(place);
+        assert!(places.is_sorted(), "{name}: {line}");
+    }
+    let slider = told(&solution(&common::example("centres/offset-slider-crank")));
+    assert!(slider.iter().any(|line| line.contains("which is V_BA turned")));
+}

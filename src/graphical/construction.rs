@@ -859,6 +859,8 @@ pub enum TransferAct {
         from: PointId,
         /// B.
         to: PointId,
+        /// Both pins and the pole are in one line: B′ is found by proportion.
+        flat: bool,
         /// A′B′ (signed along AB) and AB on paper.
         mm: [f64; 2],
         /// ω, signed.

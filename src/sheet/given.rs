@@ -2,6 +2,8 @@
 //!
 //! **Architecture Invariant:** everything here is the scene's own; no result of a solver comes in.
 
+use std::f64::consts::TAU;
+
 use super::cycle::of_curve;
 use super::human;
 use super::notation::Notation;
@@ -239,8 +241,8 @@ pub(super) fn as_written(si: f64, notation: &Notation<'_>) -> Rich {
 /// An angle in degrees; of more than a turn the whole turns and the rest: 430° = 360° + 70°.
 fn with_turns(angle: f64) -> Rich {
     let told = human::degrees(angle);
-    let whole = libm::trunc(angle.abs() / std::f64::consts::TAU * (1.0 + ROUNDED));
-    let rest = angle.abs() - whole * std::f64::consts::TAU;
+    let whole = libm::trunc(angle.abs() / TAU * (1.0 + ROUNDED));
+    let rest = angle.abs() - whole * TAU;
     if whole == 0.0 || rest.abs() < ROUNDED {
         return told;
     }
@@ -567,12 +569,8 @@ impl Teller<'_> {
                     (false, false) => words.given_guide_moving,
                 };
                 let told = Rich::fill(template, &[guide, link, ("place", place), angle]);
-                match (frame, through, self.own_line(slide.guide.link)) {
-                    (false, GuidePoint::Own(_), Some(line)) => {
-                        let from = self.n.mechanism().link(slide.guide.link).points.first().copied();
-                        let from = from.map(|p| self.n.point(p)).unwrap_or_default();
-                        Rich::fill(words.given_own_place, &[("places", told), ("from", from), ("line", line)])
-                    }
+                match (frame, through) {
+                    (false, GuidePoint::Own(_)) => self.from_own_axes(slide.guide.link, told),
                     _ => told,
                 }
             }
@@ -622,12 +620,14 @@ impl Teller<'_> {
         guide.up(self.n.words.comma).then(&own).up(" ").then(&held)
     }
 
-    /// A guide with how far it lies beside the line that was told.
+    /// A guide of a moving link with how far it lies beside the line that was told, and on which side of who follows that.
     fn offset(&self, guide: Rich, offset: f64) -> Rich {
         if offset == 0.0 {
             return guide;
         }
-        guide.up(" ").then(&Rich::fill(self.n.words.given_offset, &[("offset", self.length(offset))]))
+        let words = self.n.words;
+        let template = if offset > 0.0 { words.given_offset_left } else { words.given_offset_right };
+        guide.up(" ").then(&Rich::fill(template, &[("offset", self.length(offset.abs()))]))
     }
 
     /// The own line of a link of two joints, where a guide begins at the first of them: its angle is measured from there.
@@ -750,22 +750,47 @@ impl Teller<'_> {
             return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
         }
         let link = ("link", self.number(guide.link));
-        match self.line_of_rack(guide) {
-            Some(line) => Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]),
-            None => Rich::fill(words.given_rack, &[wheel, radius, link]),
-        }
+        let Path::Straight { through, direction, turned, offset } = guide.path else {
+            return Rich::default();
+        };
+        let own = turned_from(direction, turned.value);
+        let line = match (direction, through) {
+            (Direction::Toward(to), GuidePoint::Point(from)) => Some(self.n.length(from, to)),
+            (Direction::Toward(to), GuidePoint::Own(at)) => {
+                Some(self.own_place(at).up("\u{2009}→\u{2009}").then(&self.n.point(to)))
+            }
+            (Direction::Angle(_), _) => self.line_from(guide.link, through),
+        };
+        let Some(line) = line else {
+            // A link that is nothing but a line has no axes of its own, or those of the guide on which it rides.
+            let alone = matches!(self.n.mechanism().link(guide.link).form, Form::Single)
+                && matches!(through, GuidePoint::Point(_));
+            let template = match (alone, self.rides_along(guide.link)) {
+                (true, true) => words.given_rack_at,
+                (true, false) => words.given_rack_through,
+                (false, _) => words.given_rack_moving,
+            };
+            let (place, angle) = (("place", place_of(through, self.n)), ("angle", as_written(own, self.n)));
+            let told = Rich::fill(template, &[wheel, radius, link, place, angle]);
+            let told = if alone { told } else { self.from_own_axes(guide.link, told) };
+            return self.offset(told, offset.value);
+        };
+        let told = Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]);
+        // Which way a line runs is no matter where nothing lies to its left.
+        let off = match offset.value == 0.0 {
+            true => libm::sin(own),
+            false => libm::remainder(own, TAU),
+        };
+        let aside = || Rich::fill(words.given_turned, &[("angle", as_written(own, self.n))]);
+        let told = if off.abs() < ROUNDED { told } else { told.up(" ").then(&aside()) };
+        self.offset(told, offset.value)
     }
 
-    /// The line of a link on which a wheel rolls, by two of the link's points.
-    fn line_of_rack(&self, guide: &Guide) -> Option<Rich> {
-        let Path::Straight { through, direction, turned, offset } = guide.path else { return None };
-        let (GuidePoint::Point(from), true) = (through, offset.value == 0.0) else { return None };
-        let own = libm::sin(turned_from(direction, turned.value)).abs() < ROUNDED;
-        match direction {
-            Direction::Toward(to) => Some(self.n.length(from, to)),
-            Direction::Angle(_) => self.line_from(guide.link, through),
-        }
-        .filter(|_| own)
+    /// Own places or angles of a link with a length, and from where they are measured.
+    fn from_own_axes(&self, link: LinkId, places: Rich) -> Rich {
+        let Some(line) = self.own_line(link) else { return places };
+        let from = self.n.mechanism().link(link).points.first().map(|p| self.n.point(*p)).unwrap_or_default();
+        Rich::fill(self.n.words.given_own_place, &[("places", places), ("from", from), ("line", line)])
     }
 
     /// Weights, moments of inertia, loads and springs.

@@ -685,7 +685,7 @@ impl Teller<'_> {
                 ];
                 Rich::fill(words.transfer_omega, &parts)
             }
-            TransferAct::OmegaByParallel { link, from, to, mm, omega } => {
+            TransferAct::OmegaByParallel { link, from, to, flat, mm, omega } => {
                 // A′B′ may lie against AB: then both together are what the velocities differ by.
                 let against = mm[0] < 0.0;
                 let reckon = |[a, b]: [f64; 2]| {
@@ -709,11 +709,18 @@ impl Teller<'_> {
                     ("from", own(from)),
                     ("to", own(to)),
                     ("line", self.notation.length(from, to)),
+                    ("pole", name(pole(link), self.notation)),
+                    ("known", velocity(from)),
+                    ("relative", self.notation.symbol(Quantity::RelativeVelocity(to, from), false)),
                     ("a", a),
                     ("b", b),
                     ("value", self.turning(&value, omega)),
                 ];
-                Rich::fill(words.transfer_omega_by_parallel[usize::from(against)], &parts)
+                let template =
+                    if flat { words.transfer_onto_parallel_flat } else { words.transfer_onto_parallel };
+                let drawn = Rich::fill(template, &parts);
+                let told = Rich::fill(words.transfer_omega_by_parallel[usize::from(against)], &parts);
+                drawn.up(" ").then(&told)
             }
         }
     }

@@ -542,7 +542,7 @@ impl Draughtsman<'_> {
             let (speed, own) = (self.board.read(longer, paper), self.board.read(length, scale));
             let omega = self.board.quotient(speed, own, reason);
             let mm = [drawn.value(), length.value()];
-            self.tell(TransferAct::OmegaByParallel { link, from: pin, to, mm, omega: omega.value() });
+            self.tell(TransferAct::OmegaByParallel { link, from: pin, to, flat, mm, omega: omega.value() });
             return Ok(FromCentres::Scalar(omega));
         }
         let head = self.board.turned_back(at, found);
