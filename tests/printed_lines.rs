@@ -532,3 +532,43 @@ fn omega_from_link_to_link_has_its_construction() {
     let slider = told(&solution(&common::example("centres/offset-slider-crank")));
     assert!(slider.iter().any(|line| line.contains("which is V_BA turned")));
 }
+
+/// A level of energy has no more decimals than the coarser of what is added, and comes out of what stands there.
+#[test]
+fn a_level_of_energy_has_no_false_digits() {
+    let places = |text: &str| {
+        let end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        text[..end].split_once('.').map_or(0, |(_, after)| after.len())
+    };
+    let kind = |name: &str| {
+        let kind = linkgram::catalogue::KINDS.iter().find(|kind| kind.name == name).unwrap();
+        common::read(kind.scene)
+    };
+    let mut scenes =
+        vec![("turning-moment", kind("turning-moment")), ("flywheel", common::example("exam/flywheel"))];
+    scenes.extend(
+        [("press", PRESS), ("four copies", FOUR_COPIES), ("waves", WAVES)]
+            .map(|(n, text)| (n, common::read(text))),
+    );
+    let (mut lines, mut wrong) = (0, Vec::new());
+    for (name, scene) in scenes {
+        for line in told(&solution(&scene)) {
+            let equal: Vec<&str> = line.trim_end_matches('.').split('=').map(str::trim).collect();
+            let [of, symbols, numbers, result] = equal[..] else { continue };
+            if !of.starts_with("E_") || !symbols.contains(" + A_") && !symbols.contains("+ A_") {
+                continue;
+            }
+            lines += 1;
+            let summands: Vec<String> = parts(numbers);
+            let least = summands.iter().map(|part| places(part.trim_start_matches('−'))).min().unwrap();
+            let own = places(result.trim_start_matches('−'));
+            let (value, half, _) = number(result).unwrap();
+            let closes = (reckoned(numbers).unwrap() - value).abs() <= half * (1.0 + 1e-6);
+            if own > least || !closes {
+                wrong.push(format!("{name}: {line}"));
+            }
+        }
+    }
+    assert!(lines > 6, "{lines}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -796,6 +796,16 @@ impl Computed<'_> {
             let x = [(before, a), (between, b)].map(|(key, value)| figures.number(key, value, &joule));
             let sum = exact_sum([x[0].1.copysign(a), x[1].1.copysign(b)]);
             let own = level / joule.si;
+            // It has no more decimals than the coarser of what is rounded in it.
+            let rounded = |(text, number): &(Rich, f64), value: f64| {
+                let exact = (value / joule.si).abs();
+                ((number - exact).abs() > 1e-9 * exact).then(|| decimals(text)).flatten()
+            };
+            let known = [rounded(&x[0], a), rounded(&x[1], b)].into_iter().flatten().min();
+            let (sum, text) = match known {
+                Some(decimals) => to_decimals(sum, decimals),
+                None => (sum, human::stated(sum.abs())),
+            };
             // Where the sum is another number in three figures, or is needed in more, what is added has more.
             let third = |value: f64| format!("{value:.2e}");
             let coarse = third(sum) != third(own) && sum != 0.0 || sum.signum() != own.signum();
@@ -804,7 +814,6 @@ impl Computed<'_> {
                     figures.want(part);
                 }
             }
-            let text = human::stated(sum.abs());
             figures.note(key(of), &text, (sum.abs(), own.abs()), &joule);
             let sign = |value: f64, plain: &'static str, minus| if value < 0.0 { minus } else { plain };
             let line = formula.up("\u{a0}= ").up(sign(a, "", "−")).then(&x[0].0);
@@ -1041,6 +1050,22 @@ enum Of {
 
 fn key(of: CycleQuantity) -> Key {
     Key::Of(Quantity::Cycle(of))
+}
+
+/// The decimals of a printed number; none of one with a power of ten.
+fn decimals(text: &Rich) -> Option<usize> {
+    let plain = text.plain();
+    let digits = plain.chars().all(|c| c.is_ascii_digit() || ['.', '\u{2009}'].contains(&c));
+    digits.then(|| plain.split_once('.').map_or(0, |(_, after)| after.len()))
+}
+
+/// A sum to so many decimals, and how its size is printed with all of them.
+fn to_decimals(sum: f64, places: usize) -> (f64, Rich) {
+    let sum: f64 = format!("{sum:.places$}").parse().unwrap_or(sum);
+    let text = human::stated(sum.abs());
+    let missing = decimals(&text).map_or(0, |own| places.saturating_sub(own));
+    let point = if missing == places && missing > 0 { "." } else { "" };
+    (sum, text.up(point).up(&"0".repeat(missing)))
 }
 
 /// The sum of two printed numbers, without the last bits of a double.
