@@ -572,3 +572,32 @@ fn a_level_of_energy_has_no_false_digits() {
     assert!(lines > 6, "{lines}");
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+/// The question of a cycle that several copies make shows the curve of one, and says how many add up and how far apart.
+#[test]
+fn a_question_of_copies_shows_the_curve_of_one() {
+    let scene = common::read(
+        r#"{"links": {}, "input": {"omega": "500 rpm"}, "cycle": {
+        "torque": {"table": [[0, 0], [40, 620], [180, 0], [360, 0]]}, "copies": {"number": 2, "shift": 180},
+        "rotating": [{"inertia": 1.8}]}, "find": ["Tmean", "crossing(1)", "area(1)"]}"#,
+    );
+    let text = question(&scene);
+    assert!(text.contains("2 such curves, 180° apart, add up"), "{text}");
+    assert!(text.contains("the angle of the crossing of the torques"), "{text}");
+    let figure = sheet::question(&scene, &solved(&scene).solution.construction, Language::English);
+    let groups = within(&figure.root);
+    let diagram = groups.iter().find(|group| has(group, "turning-moment")).unwrap();
+    let told = |key: &str| {
+        let found = diagram.data.iter().find(|(name, _)| *name == key);
+        found.unwrap().1.parse::<f64>().unwrap()
+    };
+    let [scale, angle] = [told("scale"), told("radians-per-mm").to_degrees()];
+    let curve = within(diagram).into_iter().find(|group| has(group, "curve")).unwrap();
+    let Some(Node::Mark(mark)) = curve.children.first() else { panic!("no curve") };
+    let linkgram::sheet::figure::Shape::Polyline(points) = &mark.shape else { panic!("no points") };
+    // The corners of the table, as they are read off: the curve of one copy, not the sum.
+    let begin = points[0];
+    let read: Vec<[f64; 2]> =
+        points.iter().map(|p| [(p.x - begin.x) * angle, (begin.y - p.y) * scale].map(libm::round)).collect();
+    assert_eq!(read, [[0.0, 0.0], [40.0, 620.0], [180.0, 0.0], [360.0, 0.0]]);
+}

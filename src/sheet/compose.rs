@@ -373,9 +373,9 @@ pub fn single_of_question(scene: &Scene, construction: &Construction, language: 
 /// The given curves of a turning-moment diagram with their caption.
 fn asked_curves(construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let sheet = construction.cycle.as_ref()?;
-    let curves = super::cycle::stated_curves(sheet, notation)?;
+    let (sheet, curves) = super::cycle::stated_curves(sheet, notation)?;
     let panel = CyclePanel::TurningMoment;
-    let scale = Rich::fill(notation.words.scale, &[("scale", panel.scale(sheet, notation))]);
+    let scale = Rich::fill(notation.words.scale, &[("scale", panel.scale(&sheet, notation))]);
     let comma = format!("{}\u{2002}", notation.words.comma.trim_end());
     Some(captioned(curves, &[panel.title(notation).up(&comma).then(&scale)]))
 }

@@ -13,10 +13,11 @@ use super::notation::Notation;
 use super::printed::Figures;
 use super::rich::Rich;
 use super::steps::Item;
+use super::waves::Waves;
 use super::words::Words;
 use crate::graphical::cycle::CycleSheet;
 use crate::mechanism::curve::Curve;
-use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::cycle::{Copies, Course, Cycle, CycleQuantity, RotatingInertia, Sides};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
 use crate::mechanism::spin::SpinSpeed;
 
@@ -194,9 +195,9 @@ enum Shown {
     Solution,
 }
 
-/// The curves of a question; none where the mechanism gives them, where several copies are added up, or where only areas
-/// are given.
-pub(super) fn stated_curves(sheet: &CycleSheet, notation: &Notation<'_>) -> Option<Group> {
+/// The curves of a question; none where the mechanism gives them, or where only areas are given. Of what several copies add
+/// up to the curve of one is stated, and drawn.
+pub(super) fn stated_curves(sheet: &CycleSheet, notation: &Notation<'_>) -> Option<(CycleSheet, Group)> {
     let cycle = notation.mechanism().forces.cycle.as_ref()?;
     let is_stated = |course: &Course| matches!(course, Course::Curve(_));
     let stated = match &cycle.sides {
@@ -204,7 +205,59 @@ pub(super) fn stated_curves(sheet: &CycleSheet, notation: &Notation<'_>) -> Opti
         Sides::Both { torque, load } => is_stated(torque) && is_stated(load),
         Sides::Areas { .. } => false,
     };
-    (stated && cycle.copies.number == 1).then(|| turning_moment(sheet, notation, Shown::Given))
+    let sheet = match cycle.copies.number {
+        _ if !stated => return None,
+        1 => sheet.clone(),
+        _ => of_one_copy(sheet, cycle),
+    };
+    let drawn = turning_moment(&sheet, notation, Shown::Given);
+    Some((sheet, drawn))
+}
+
+/// The diagram with the curves of one copy; what is constant stays away.
+fn of_one_copy(sheet: &CycleSheet, cycle: &Cycle) -> CycleSheet {
+    /// Points of a wave over the period: a curve to the eye.
+    const POINTS: u32 = 360;
+    let alone = Cycle { copies: Copies { number: 1, ..cycle.copies }, ..cycle.clone() };
+    let points = |course: &Course| {
+        let Course::Curve(curve) = course else { return Vec::new() };
+        match curve {
+            Curve::Table { knots, period } => {
+                let turns = libm::round(sheet.period / period.value).max(1.0) as u32;
+                let knots: Vec<[f64; 2]> = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
+                let turned = |turn: u32| {
+                    knots.iter().map(move |[at, size]| [at + f64::from(turn) * period.value, *size])
+                };
+                let mut all: Vec<[f64; 2]> = (0..turns).flat_map(turned).collect();
+                // The curve goes on to the first knot of the next period, and came from the last one of the one before.
+                let (first, last) = (all.first().copied(), all.last().copied());
+                if let (Some(first), Some(last)) = (first, last) {
+                    let across = [[last[0] - sheet.period, last[1]], first];
+                    let at_ends = height(&across, 0.0);
+                    if first[0] > 0.0 {
+                        all.insert(0, [0.0, at_ends]);
+                    }
+                    if last[0] < sheet.period {
+                        all.push([sheet.period, if first[0] > 0.0 { at_ends } else { first[1] }]);
+                    }
+                }
+                all
+            }
+            Curve::Harmonics { .. } => {
+                let Some(waves) = Waves::of(curve, &alone) else { return Vec::new() };
+                let place = |k: u32| sheet.period * f64::from(k) / f64::from(POINTS);
+                (0..=POINTS).map(|k| [place(k), waves.at(place(k))]).collect()
+            }
+        }
+    };
+    let mut own = sheet.clone();
+    own.curves = match &cycle.sides {
+        Sides::Torque(of) => [points(of), Vec::new()],
+        Sides::Load(of) => [Vec::new(), points(of)],
+        Sides::Both { torque, load } => [points(torque), points(load)],
+        Sides::Areas { .. } => [Vec::new(), Vec::new()],
+    };
+    own
 }
 
 /// Newton metres and radians for a millimetre of the diagram, where it is drawn.
@@ -618,10 +671,8 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
     parts.push(equals(period, &human::degrees(cycle.period.value)));
     if cycle.copies.number > 1 {
         let number = human::stated(f64::from(cycle.copies.number));
-        parts.push(equals(
-            Rich::italic("Z"),
-            &number.up("\u{a0}×\u{a0}").then(&human::degrees(cycle.copies.shift.value)),
-        ));
+        let shift = human::degrees(cycle.copies.shift.value);
+        parts.push(Rich::fill(notation.words.given_copies, &[("number", number), ("shift", shift)]));
     }
     if notation.mechanism().inputs.is_empty() && cycle.omega.value != 0.0 {
         let stated = notation.scene.input_units.first().and_then(|input| input.rate.as_ref());
