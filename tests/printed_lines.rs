@@ -601,3 +601,20 @@ fn a_question_of_copies_shows_the_curve_of_one() {
         points.iter().map(|p| [(p.x - begin.x) * angle, (begin.y - p.y) * scale].map(libm::round)).collect();
     assert_eq!(read, [[0.0, 0.0], [40.0, 620.0], [180.0, 0.0], [360.0, 0.0]]);
 }
+
+/// One letter is one thing: where a load is called P the contact of a wheel is not.
+#[test]
+fn a_contact_and_a_load_have_two_letters() {
+    let scene = common::read(
+        r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 40}, "3": {"joins": ["A", "C"], "length": 150}, "4": {"joins": ["C"]}},
+        "rolls": [{"links": [1, 4], "line": {"link": 1, "through": [0, -50], "angle": 0}, "centre": "C", "radius": 50}],
+        "near": {"C": [180, 0]}, "gravity": {}, "masses": {"4": {"mass": 20, "inertia": 0.025}},
+        "input": {"link": 2, "angle": 50, "omega": "10 rad/s ccw"},
+        "loads": [{"on": 4, "at": "C", "force": 60, "direction": 180, "name": "P"}], "find": ["T(2)", "F(1,4)"]}"#,
+    );
+    let lines = told(&solution(&scene));
+    assert!(lines.iter().any(|line| line == "Mark the contact point Q."), "{lines:#?}");
+    assert!(!lines.iter().any(|line| line.contains("point P")), "{lines:#?}");
+    assert!(lines.iter().any(|line| line.contains("P · x")), "{lines:#?}");
+}

@@ -74,12 +74,15 @@ pub(super) fn pressures(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()
     Ok(())
 }
 
-/// Names the contact point of each rolling pair P, or the next letter that no point has, in either case: an image is named
-/// by the small one, and with a prime it would be that of an acceleration. It belongs to no link, so nothing can be asked of it
+/// Names the contact point of each rolling pair P, or the next letter that no point and no load has, in either case: an image
+/// is named by the small one, and with a prime it would be that of an acceleration. It belongs to no link, so nothing can be asked of it
 /// by mistake.
 pub(super) fn name_contacts(mechanism: &mut Mechanism) {
     for _ in 0..mechanism.rolls.len() {
-        let taken = |own: &str| mechanism.points.iter().any(|point| point.name.eq_ignore_ascii_case(own));
+        let points = mechanism.points.iter().map(|point| &point.name);
+        let names: Vec<&String> =
+            points.chain(mechanism.forces.loads.iter().map(|load| &load.name)).collect();
+        let taken = |own: &str| names.iter().any(|name| name.eq_ignore_ascii_case(own));
         let name = free_letters("P", taken);
         mechanism.contacts.push(PointId(mechanism.points.len()));
         mechanism.points.push(Point { name, place: Place::Unknown, links: Vec::new(), journal: None });
