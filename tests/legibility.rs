@@ -375,10 +375,12 @@ impl Reckoning<'_> {
     }
 
     fn factor(&mut self) -> Option<f64> {
+        let root = self.take(&['√']).is_some();
         let value = if self.take(&['(']).is_some() {
             let inside = self.sum()?;
             self.take(&[')'])?;
-            inside
+            self.operations += usize::from(root);
+            if root { libm::sqrt(inside) } else { inside }
         } else {
             let (own, _, after) = number(self.rest)?;
             self.rest = after;
@@ -761,6 +763,55 @@ fn what_is_asked_is_told_in_a_step() {
     }
 }
 
+const WHEEL_ON_A_RAIL: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]}, "links": {
+    "2": {"joins": ["O2", "A"], "length": 40}, "3": {"joins": ["A", "C"], "length": 150}, "4": {"joins": ["C"]}},
+    "rolls": [{"links": [1, 4], "line": {"link": 1, "through": [0, -50], "angle": 0}, "centre": "C", "radius": 50}],
+    "near": {"C": [180, 0]}, "gravity": {}, "masses": {"4": {"mass": 20, "inertia": 0.025}},
+    "input": {"link": 2, "angle": 50, "omega": "10 rad/s ccw"},
+    "loads": [{"on": 4, "at": "C", "force": 60, "direction": 180, "name": "P"}],
+    "find": ["T(2)", "F(2,3)", "F(3,4)", "F(1,4)"]}"#;
+
+/// Every row of a table with a number has a step that states it: `F_14 = `, also of parts of forces and of a force of which
+/// moments give both parts.
+#[test]
+fn every_row_of_a_table_has_a_step_that_states_it() {
+    let rail = linkgram::scene::read(WHEEL_ON_A_RAIL, "test").unwrap();
+    let sheets = all().into_iter().filter(|(name, _)| !name.starts_with("chain "));
+    let figures = sheets.chain([("wheel on a rail".to_owned(), solution(&rail).unwrap())]);
+    let (mut count, mut untold) = (0, Vec::new());
+    for (name, figure) in figures {
+        let plain = |text: &str| text.replace(['\u{a0}', '\u{2009}'], " ");
+        let lines: Vec<String> = sentences(&figure).iter().map(|line| plain(line)).collect();
+        for table in within(&figure.root).into_iter().filter(|group| has(group, "results")) {
+            for row in rows_of(table).iter().skip(1) {
+                let cells: Vec<String> = row.iter().map(|text| plain(&characters(text))).collect();
+                // A construction of its own is told with that, and the angle of an input is given. What is seen from a
+                // point of the frame has the name of what is absolute.
+                let symbol = cells[0].trim_end_matches(|c: char| c.is_ascii_digit());
+                let symbol = symbol.strip_suffix('O').filter(|_| symbol.contains('_')).unwrap_or(&cells[0]);
+                let value = cells.get(1).and_then(|cell| number(cell));
+                // What is zero needs no number.
+                if cells[0].contains(", ")
+                    || symbol.starts_with('θ')
+                    || value.is_none_or(|(value, ..)| value == 0.0)
+                {
+                    continue;
+                }
+                count += 1;
+                let states = |line: &String| {
+                    line.contains(&format!("{symbol} = "))
+                        || line.contains(symbol) && line.contains(&cells[1])
+                };
+                if !lines.iter().any(states) {
+                    untold.push(format!("{name}: {}", cells.join(" ")));
+                }
+            }
+        }
+    }
+    assert!(count > 500, "{count}");
+    assert!(untold.is_empty(), "{} of {count}: {untold:#?}", untold.len());
+}
+
 /// The letters and names of the captions of a figure.
 fn captions(figure: &Figure) -> Vec<String> {
     let mut all = Vec::new();
@@ -796,6 +847,50 @@ fn a_step_sheet_shows_what_the_solution_shows() {
         }
     }
     assert!(figures > 20, "{figures}");
+}
+
+/// In a picture of the steps nothing has a name that is not drawn there: a point that will fall on another one, a vector
+/// that will lie on another one, is named when a step finds it.
+#[test]
+fn a_step_sheet_names_what_is_drawn_already() {
+    let told = |group: &Group, key: &str| {
+        group.data.iter().find(|(name, _)| *name == key).map(|(_, value)| value.clone())
+    };
+    // Names, and the images and vectors that are drawn, of one picture of a polygon.
+    let read = |picture: &Group| -> (Vec<String>, HashSet<String>) {
+        let (mut names, mut drawn) = (Vec::new(), HashSet::new());
+        for own in within(picture) {
+            let of = told(own, "of").filter(|_| own.class.split(' ').any(|class| class == "name"));
+            names.extend(of.iter().flat_map(|of| of.split(' ')).map(str::to_owned));
+            drawn.extend(told(own, "point").or_else(|| told(own, "quantity")));
+        }
+        (names, drawn)
+    };
+    let (mut pictures, mut late, mut early) = (0, 0, Vec::new());
+    let own = ["rolling-wheel", "whitworth", "rack-pinion", "rack-wheel", "rolling-rocker", "oblique-yoke"];
+    let kinds = KINDS.iter().filter(|kind| own.contains(&kind.name));
+    let kinds = kinds.map(|kind| (kind.name, linkgram::scene::read(kind.scene, kind.name).unwrap()));
+    let examples = ["pairs/wheel-on-moving-plane", "pairs/planet-and-rod", "pairs/wheel-in-ring"];
+    let examples = examples.map(|name| (name, common::example(name)));
+    for (name, scene) in kinds.chain(examples) {
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        let figure = sheet::step_by_step(&scene, &solved.solution.construction, Language::English);
+        for kind in ["velocity", "acceleration"] {
+            let is = |group: &&Group| group.class.split(' ').take(2).eq([kind, "polygon"]);
+            let all: Vec<_> = within(&figure.root).into_iter().filter(is).map(read).collect();
+            let Some((_, finished)) = all.last() else { continue };
+            for (i, (names, drawn)) in all.iter().enumerate() {
+                pictures += 1;
+                late += usize::from(i > 0 && names.len() > all[i - 1].0.len());
+                // What lies outside the picture has its name at the border, and no ink.
+                for own in names.iter().filter(|own| finished.contains(*own) && !drawn.contains(*own)) {
+                    early.push(format!("{name}: {own} in picture {} of the {kind} diagram", i + 1));
+                }
+            }
+        }
+    }
+    assert!(pictures > 30 && late > 10, "{pictures} pictures, {late} with further names");
+    assert!(early.is_empty(), "{}: {early:#?}", early.len());
 }
 
 /// Figures that a scene wishes together are lettered in their order, whatever the sheet would call them.
@@ -849,50 +944,6 @@ fn rows_of(table: &Group) -> Vec<Vec<&Text>> {
     for node in &table.children {
         let Node::Text(text) = node else { continue };
         match rows.last_mut() {
-/// In a picture of the steps nothing has a name that is not drawn there: a point that will fall on another one, a vector
-/// that will lie on another one, is named when a step finds it.
-#[test]
-fn a_step_sheet_names_what_is_drawn_already() {
-    let told = |group: &Group, key: &str| {
-        group.data.iter().find(|(name, _)| *name == key).map(|(_, value)| value.clone())
-    };
-    // Names, and the images and vectors that are drawn, of one picture of a polygon.
-    let read = |picture: &Group| -> (Vec<String>, HashSet<String>) {
-        let (mut names, mut drawn) = (Vec::new(), HashSet::new());
-        for own in within(picture) {
-            let of = told(own, "of").filter(|_| own.class.split(' ').any(|class| class == "name"));
-            names.extend(of.iter().flat_map(|of| of.split(' ')).map(str::to_owned));
-            drawn.extend(told(own, "point").or_else(|| told(own, "quantity")));
-        }
-        (names, drawn)
-    };
-    let (mut pictures, mut late, mut early) = (0, 0, Vec::new());
-    let own = ["rolling-wheel", "whitworth", "rack-pinion", "rack-wheel", "rolling-rocker", "oblique-yoke"];
-    let kinds = KINDS.iter().filter(|kind| own.contains(&kind.name));
-    let kinds = kinds.map(|kind| (kind.name, linkgram::scene::read(kind.scene, kind.name).unwrap()));
-    let examples = ["pairs/wheel-on-moving-plane", "pairs/planet-and-rod", "pairs/wheel-in-ring"];
-    let examples = examples.map(|name| (name, common::example(name)));
-    for (name, scene) in kinds.chain(examples) {
-        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
-        let figure = sheet::step_by_step(&scene, &solved.solution.construction, Language::English);
-        for kind in ["velocity", "acceleration"] {
-            let is = |group: &&Group| group.class.split(' ').take(2).eq([kind, "polygon"]);
-            let all: Vec<_> = within(&figure.root).into_iter().filter(is).map(read).collect();
-            let Some((_, finished)) = all.last() else { continue };
-            for (i, (names, drawn)) in all.iter().enumerate() {
-                pictures += 1;
-                late += usize::from(i > 0 && names.len() > all[i - 1].0.len());
-                // What lies outside the picture has its name at the border, and no ink.
-                for own in names.iter().filter(|own| finished.contains(*own) && !drawn.contains(*own)) {
-                    early.push(format!("{name}: {own} in picture {} of the {kind} diagram", i + 1));
-                }
-            }
-        }
-    }
-    assert!(pictures > 30 && late > 10, "{pictures} pictures, {late} with further names");
-    assert!(early.is_empty(), "{}: {early:#?}", early.len());
-}
-
             Some(row) if text.runs[0].at.x > row[row.len() - 1].runs[0].at.x => row.push(text),
             _ => rows.push(vec![text]),
         }

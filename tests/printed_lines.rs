@@ -618,3 +618,43 @@ fn a_contact_and_a_load_have_two_letters() {
     assert!(!lines.iter().any(|line| line.contains("point P")), "{lines:#?}");
     assert!(lines.iter().any(|line| line.contains("P · x")), "{lines:#?}");
 }
+
+/// Where a guide holds a link beside its pin, a line tells how far: the moment of its force over the force.
+#[test]
+fn a_displaced_reaction_has_its_distance_in_a_line() {
+    let scene = common::read(
+        r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 50}, "3": {"joins": ["A", "B"], "length": 160},
+        "4": {"joins": ["B", "H"], "shape": {"B": [0, 0], "H": [40, 60]}}},
+        "slides": [{"link": 4, "on": {"link": 1, "through": [0, 20], "angle": 0}}], "near": {"B": [200, 20]},
+        "gravity": {}, "masses": {"3": {"mass": 2.5, "at": [70, 0], "inertia": 0.006}, "4": {"mass": 5, "at": [20, 25]}},
+        "loads": [{"on": 4, "at": "H", "force": 400, "direction": 180, "name": "P"}],
+        "input": {"link": 2, "angle": 60, "omega": "15 rad/s ccw"}, "find": ["T(2)", "F(1,4)"]}"#,
+    );
+    let lines = told(&solution(&scene));
+    let last = |line: &str| value_of(line.rsplit('=').next().unwrap());
+    let line = lines.iter().find(|line| line.starts_with("The line of F_14 passes beside B: ")).unwrap();
+    let moment = lines.iter().find(|line| line.starts_with("Moments of link 4 about B: M_B(F_14)")).unwrap();
+    let force = lines.iter().find(|line| line.starts_with("Moments of links 3 and 4 about A: F_14")).unwrap();
+    // N·m over N, in mm; three figures each.
+    let own = 1000.0 * last(moment) / last(force);
+    assert!((last(line) - own).abs() < 0.01 * own, "{line}, {moment}, {force}");
+}
+
+/// A body that nothing loads ends with its forces: they are zero.
+#[test]
+fn forces_on_a_body_without_load_are_said_to_be_zero() {
+    let scene = common::read(
+        r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]}, "links": {
+        "2": {"joins": ["O2", "A"], "length": 60}, "3": {"joins": ["A", "B"], "length": 220}},
+        "slides": [{"pin": "B", "block": 4, "on": {"link": 1, "through": "O2"}}], "near": {"B": [260, 0]},
+        "input": {"link": 2, "angle": 30, "omega": "120 rpm ccw"},
+        "loads": [{"on": 4, "at": "B", "name": "K", "direction": 180,
+            "force": {"table": [[0, 0], [90, 0], [150, 3000], [180, 0], [360, 0]]}}],
+        "find": ["T(2)", "F(1,4)"]}"#,
+    );
+    let lines = told(&solution(&scene));
+    for force in ["F_34", "F_14"] {
+        assert!(lines.iter().any(|line| *line == format!("{force} is zero.")), "{force}: {lines:#?}");
+    }
+}

@@ -961,6 +961,7 @@ impl Teller<'_> {
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
+        items.extend(self.of_both_parts(index).into_iter().map(Item::Sentence));
         for (link, axis) in super::friction::axes_told(index, self.sheet) {
             let template = match axis {
                 FrictionAxis::Outer => words.friction_axis_outer,
@@ -987,6 +988,7 @@ impl Teller<'_> {
                 panel = own;
             }
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
+            items.extend(self.split(k).into_iter().map(Item::Sentence));
         }
         items.extend(self.governor_body(index, true));
         // What is the other force of an earlier body turned round, once that is known.
@@ -998,6 +1000,7 @@ impl Teller<'_> {
                 items.extend(self.equal(one, other).map(Item::Sentence));
             }
         }
+        items.extend(self.displaced(index).into_iter().map(Item::Sentence));
         for moments in told(true) {
             if let Some(own) = own_panel(moments) {
                 parts.push((panel, std::mem::take(&mut items)));
@@ -1713,6 +1716,11 @@ impl Teller<'_> {
         let sized = |acting: &&Acting| libm::hypot(acting.force[0], acting.force[1]) > 0.0;
         let all: Vec<&Acting> = body.acting.iter().filter(sized).collect();
         let (found, known): (Vec<&Acting>, Vec<&Acting>) = all.iter().partition(|acting| acting.closes);
+        // Where nothing loads the body, nothing holds it.
+        if all.is_empty() {
+            lines.extend(body.acting.iter().filter(|acting| acting.closes).map(|acting| self.short(acting)));
+            return lines;
+        }
         let Some(per_mm) = per_mm(self.sheet, ForcePanel::Polygon(index), self.n) else { return lines };
         // Of a force of which moments gave the part across a line that part is laid off, and the line of the rest is open.
         let told = |is: fn(&Turning) -> Option<Action>, of: &Acting| {
@@ -1802,11 +1810,134 @@ impl Teller<'_> {
         Rich::fill(self.n.words.force_as_point, &[("vector", self.symbol(acting.action)), ("value", size)])
     }
 
+    /// How far from a point the line of a force lies of which moments of the body have given the moment about it: a block that
+    /// does not turn is held by its guide beside its pin. Where that is asked, it is told with what is asked.
+    fn displaced(&self, index: usize) -> Vec<Rich> {
+        let units = &self.n.scene.units;
+        let own = self.sheet.moments.iter().filter(|moments| moments.told == index);
+        let told = own.filter_map(|moments| {
+            let Turning::Torque(of @ Force::Moment(action, about)) = moments.found.of else { return None };
+            let is_asked = self.sheet.arms.iter().any(|own| {
+                matches!(own.found.of, Turning::Torque(Force::Arm(other, at) | Force::Moment(other, at))
+                    if at == about && either(other) == either(action))
+            });
+            let key = self.whole(Force::Vector(action));
+            let all = self.sheet.bodies[..=index].iter().flat_map(|body| &body.acting);
+            let acting = all.into_iter().find(|acting| either(acting.action) == either(action))?;
+            let size = libm::hypot(acting.force[0], acting.force[1]);
+            let moment: f64 = moments.terms.iter().map(|term| term.moment).sum();
+            if is_asked || size == 0.0 || moment == 0.0 || !self.figures.borrow().has(key) {
+                return None;
+            }
+            let factors = [
+                Factor::new(moment.abs(), &units.torque, "N·m").of(self.whole(of)),
+                Factor::new(size, &units.force, "N").of(key),
+            ];
+            let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
+            let result = Factor::new(moment.abs() / size, &units.length, "m");
+            let formula = symbol(of).up(OVER).then(&self.symbol(action));
+            let named = symbol(Force::Arm(action, about));
+            let equation = self.line(named, formula, &factors, quotient, |n| n[0] / n[1], result);
+            let parts =
+                [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
+            Some(Rich::fill(self.n.words.line_beside, &parts))
+        });
+        told.collect()
+    }
+
+    /// A force on a body of which moments have given both parts: it is laid off as what these make together.
+    fn of_both_parts(&self, index: usize) -> Vec<Rich> {
+        let unit = &self.n.scene.units.force;
+        let body = &self.sheet.bodies[index];
+        let size_of = |key: Key| {
+            let mut told = self.sheet.moments.iter().filter(|moments| moments.told <= index);
+            told.find(|moments| self.key_of(moments.found.of) == key).map(|moments| {
+                let sum: f64 = moments.terms.iter().map(|term| term.moment).sum();
+                sum.abs() / moments.found.arm.map_or(1.0, |arm| arm.length)
+            })
+        };
+        let own = body.acting.iter().filter(|acting| !acting.closes && acting.parts.is_none());
+        let told = own.filter_map(|acting| {
+            let keys = [self.part_key(acting.action), Key::Part(either(acting.action), false)];
+            let [across, along] = [size_of(keys[0])?, size_of(keys[1])?];
+            let whole = self.whole(Force::Vector(acting.action));
+            if self.figures.borrow().has(whole) {
+                return None;
+            }
+            let root = |first: Rich, second: Rich| {
+                Rich::upright("√(").then(&squared(&first)).up(" + ").then(&squared(&second)).up(")")
+            };
+            let part = |mark: &str| {
+                let name = super::force_names::part(self.n, acting.action, mark);
+                Rich::upright("(").then(&name).up(")²")
+            };
+            let [tangential, normal] = [self.n.profile.tangential, self.n.profile.normal].map(part);
+            let formula = Rich::upright("√(").then(&tangential).up(" + ").then(&normal).up(")");
+            let factors =
+                [Factor::new(across, unit, "N").of(keys[0]), Factor::new(along, unit, "N").of(keys[1])];
+            let [x, y] = acting.force;
+            let result = Factor::new(libm::hypot(x, y), unit, "N").of(whole);
+            let set = |n: &[Rich]| root(n[0].clone(), n[1].clone());
+            let reckon = |n: &[f64]| libm::hypot(n[0], n[1]);
+            let own = self.symbol(acting.action);
+            let line = self.line_in(true, own, formula, &factors, set, reckon, (result, unit));
+            let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)));
+            Some(line.up(self.n.words.comma).then(&angle).up("."))
+        });
+        told.collect()
+    }
+
+    /// The parts of a force along and across a line that are asked and that no moments have given: it is split in the first
+    /// polygon in which it stands.
+    fn split(&self, index: usize) -> Vec<Rich> {
+        let m = self.n.mechanism();
+        let stands = |body: &FreeBody, action: Action| {
+            body.acting.iter().any(|acting| either(acting.action) == either(action))
+        };
+        let panel = |index: usize| ForcePanel::Polygon(index);
+        let panels = ForcePanel::all(self.sheet);
+        let Some(per_mm) = per_mm(self.sheet, panel(index), self.n) else { return Vec::new() };
+        let mut lines = Vec::new();
+        let mut split: Vec<(Action, PointId)> = Vec::new();
+        for (asked, reading) in m.asked.iter().zip(&self.construction.answers) {
+            let (Quantity::Force(force, Share::Total), Answer::Vector { value, .. }) =
+                (asked.quantity, &reading.answer)
+            else {
+                continue;
+            };
+            let (Force::Along { by, on, from } | Force::Across { by, on, from }) = force else { continue };
+            let action = Action::Pair { by, on };
+            let given = self.sheet.moments.iter().any(|moments| match (force, moments.found.of) {
+                (Force::Along { .. }, Turning::Along(of)) | (Force::Across { .. }, Turning::Across(of)) => {
+                    either(of) == either(action)
+                }
+                _ => false,
+            });
+            let first = (0..self.sheet.bodies.len())
+                .find(|k| stands(&self.sheet.bodies[*k], action) && panels.contains(&panel(*k)));
+            let Some(pin) = m.meeting_point(by, on).filter(|_| !given && first == Some(index)) else {
+                continue;
+            };
+            if !split.contains(&(action, from)) {
+                split.push((action, from));
+                let parts = [("force", self.symbol(action)), ("line", self.n.length(from, pin))];
+                lines.push(Rich::fill(self.n.words.split_force, &parts));
+            }
+            let key = Key::of(asked.quantity, self.n);
+            lines.push(self.read_as(self.n.symbol(asked.quantity, false), key, *value, per_mm));
+        }
+        lines
+    }
+
     fn read(&self, acting: &Acting, per_mm: f64) -> Rich {
-        let [x, y] = acting.force;
+        let key = self.whole(Force::Vector(acting.action));
+        self.read_as(self.symbol(acting.action), key, acting.force, per_mm)
+    }
+
+    /// A force, or a part of one, as it is read off a polygon.
+    fn read_as(&self, vector: Rich, key: Key, [x, y]: [f64; 2], per_mm: f64) -> Rich {
         let size = libm::hypot(x, y);
         let mm = size / per_mm;
-        let vector = self.symbol(acting.action);
         if size == 0.0 {
             return Rich::fill(self.n.words.force_is_zero, &[("vector", vector)]);
         }
@@ -1816,7 +1947,7 @@ impl Teller<'_> {
         }
         let unit = &self.n.scene.units.force;
         let factor = per_mm / unit.si;
-        let (mut figures, key) = (self.figures.borrow_mut(), self.whole(Force::Vector(acting.action)));
+        let mut figures = self.figures.borrow_mut();
         // What another line has told is read as it stands there.
         let own = figures.print_of(key).filter(|print| print.unit == *unit).map(Print::si);
         let read = own.unwrap_or(size) / unit.si;
