@@ -161,7 +161,7 @@ impl Draughtsman<'_> {
     }
 
     /// Whether the drawing tells where a point is.
-    fn is_told(&mut self, at: Point) -> bool {
+    pub(super) fn is_told(&mut self, at: Point) -> bool {
         self.board.tape().aside(true);
         let pole = self.board.origin();
         let marks = self.board.between(pole, at).map(|mm| mm.mark());
@@ -177,12 +177,21 @@ impl Draughtsman<'_> {
 
     /// The point of a locus that is met square on from a place.
     fn brought_onto(&mut self, locus: &Locus, from: Point) -> Point {
-        match self.locus(locus) {
-            Drawn::Line(line) => {
+        let track = match self.locus(locus) {
+            Drawn::Line(line) => Track::Straight(line),
+            Drawn::Circle(circle) => Track::Arc(circle),
+        };
+        self.brought_to(track, from)
+    }
+
+    /// The point of a track that is met square on from a place.
+    pub(super) fn brought_to(&mut self, track: Track, from: Point) -> Point {
+        match track {
+            Track::Straight(line) => {
                 let [along, _] = self.board.square_off(line, from);
                 self.board.lay_off(line.through, line.along, along)
             }
-            Drawn::Circle(circle) => {
+            Track::Arc(circle) => {
                 let reason = self.reason(&[]);
                 let (along, _) = self.board.toward(circle.centre, from, reason);
                 self.board.lay_off(circle.centre, along, circle.radius)

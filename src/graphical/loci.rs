@@ -1,8 +1,10 @@
 //! Points of a group that stands by given places: each where two of its loci meet, circles about points of its own links
 //! and guides of links that stand.
 
-use crate::board::{Circle, Direction};
+use crate::board::{Circle, Direction, Line, Point};
+use crate::given::Given;
 use crate::mechanism::quantity::Order;
+use crate::mechanism::structure::TrialDriver;
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll, Slide};
 use crate::plan::GroupStep;
 
@@ -23,6 +25,8 @@ impl Draughtsman<'_> {
         }
         self.step(Order::Position, &[], Vec::new());
         let mut led = false;
+        // What only touches tells a pose by its last digits, if at all: it waits until nothing else tells any.
+        let mut told_only = true;
         loop {
             let mut further = false;
             for &link in &links {
@@ -33,11 +37,12 @@ impl Draughtsman<'_> {
                     || self.pose_of(link).is_some()
                     || self.stands_by_rides(link)
                     || self.stands_by_guide(link);
-                if self.nothing_missing().is_err() || !stands {
+                if self.nothing_missing().is_err() || !stands || told_only && !self.pose_is_told(link) {
                     self.poses[link.0] = None;
                     continue;
                 }
                 further = true;
+                told_only = true;
                 for point in self.mechanism.link(link).points.clone() {
                     if self.places[point.0].is_none() {
                         let own = self.own(link, point);
@@ -49,7 +54,10 @@ impl Draughtsman<'_> {
             }
             further |= matches!(self.place_by_loci(&points), Ok(true)) && self.nothing_missing().is_ok();
             if !further {
-                break;
+                if !std::mem::replace(&mut told_only, false) {
+                    break;
+                }
+                continue;
             }
             led = true;
         }
@@ -86,11 +94,19 @@ impl Draughtsman<'_> {
             if self.stands_in_world(other) || self.pose_of(other).is_some() {
                 return Some(self.ride_directions(ride, link));
             }
-            if let Some(found) = self.direction_by_rides(other, Some(ride), deep - 1) {
+            let found =
+                self.tried_direction(other).or_else(|| self.direction_by_rides(other, Some(ride), deep - 1));
+            if let Some(found) = found {
                 return self.ride_directions_by(ride, link, found);
             }
         }
         None
+    }
+
+    /// A direction of the own figure of a link that is turned by trial, and where it points as it is tried.
+    fn tried_direction(&mut self, link: LinkId) -> Option<(Direction, Direction)> {
+        let angle = self.tried_place(TrialDriver::Turn(link))?;
+        Some((self.own_line_of(link), self.board.protractor(angle)))
     }
 
     /// Lays on a link of which one point stands, where its guide passes a rider that stands, or a riding link of which any
@@ -99,12 +115,11 @@ impl Draughtsman<'_> {
         let stands = |d: &Self, point: PointId| d.places[point.0].is_some();
         let points = self.mechanism.link(link).points.clone();
         let Some(base) = points.into_iter().find(|&p| stands(self, p)) else { return false };
-        if matches!(self.mechanism.link(link).form, Form::Single) {
-            return false;
-        }
+        let single = matches!(self.mechanism.link(link).form, Form::Single);
         let rider = (0..self.mechanism.slides.len()).find_map(|slide| {
             let pair = self.mechanism.slides[slide];
-            if pair.guide.link != link {
+            // A link of one joint swivels by its guide, or not at all.
+            if pair.guide.link != link || single && !self.swivels_on(link, slide) {
                 return None;
             }
             let further = match pair.rider {
@@ -119,6 +134,20 @@ impl Draughtsman<'_> {
         self.rpr(&nothing, link, base, rider, slide).is_ok()
     }
 
+    /// Whether a link's pose, as it stands, is told by what it was found from: a guide that only touches an arc does not tell how
+    /// its link is turned.
+    fn pose_is_told(&mut self, link: LinkId) -> bool {
+        let Some(pose) = self.poses[link.0] else { return true };
+        self.board.tape().aside(true);
+        let scale = self.length_scale();
+        let one = self.board.amount(Given::exact(scale.si_per_mm));
+        let ahead = self.board.to_paper(one, scale);
+        let end = self.board.lay_off(pose.anchor, pose.along, ahead);
+        let start = self.board.lay_off(pose.own_anchor, pose.own_along, ahead);
+        self.board.tape().aside(false);
+        [start, end].into_iter().all(|at| self.is_told(at))
+    }
+
     /// Finds the place of one more of these points; says whether there was one.
     ///
     /// # Errors
@@ -128,12 +157,17 @@ impl Draughtsman<'_> {
             if self.places[point.0].is_some() || self.given_place(point).is_some() {
                 continue;
             }
+            if let Some(at) = self.driven_along(point) {
+                self.place(point, at);
+                return Ok(true);
+            }
             let (circles, main) = self.circles_of(point);
             let mut loci: Vec<Track> = self.guides_of(point);
             loci.extend(circles.into_iter().map(Track::Arc));
             loci.extend(self.contacts_of(point));
             loci.extend(self.circles_about_driven(point).into_iter().map(Track::Arc));
             loci.extend(self.tracks_beside_guides(point));
+            loci.extend(self.tracks_by_carried_guides(point));
             let &[first, second, ..] = loci.as_slice() else { continue };
             let links = self.mechanism.point(point).links.clone();
             let reason = self.reason(&links);
@@ -148,11 +182,59 @@ impl Draughtsman<'_> {
                 }
                 (Track::Arc(one), Track::Arc(other)) => self.board.meet_circles(one, other, reason),
             };
+            // Where they only touch, a stated place tells where on them the point is.
+            if let Some(stated) = self.stated_hints[point.0]
+                && self.is_unclear(&met)
+            {
+                let at = self.brought_to(first, stated);
+                self.place(point, at);
+                return Ok(true);
+            }
             let pair = met.map_err(|_| DrawError::NoClosure { pin: point, least: f64::INFINITY })?;
             self.take_hinted(&main, None, point, pair)?;
             return Ok(true);
         }
         Ok(false)
+    }
+
+    /// The place of a rider on a guide that stands, where an input says how far along it that is.
+    fn driven_along(&mut self, point: PointId) -> Option<Point> {
+        for (input, driven) in self.mechanism.inputs.iter().enumerate() {
+            let &Input::Slide { slide, at: Some(way), .. } = driven else { continue };
+            let guide = self.mechanism.slides[slide].guide.link;
+            let stands = self.stands_in_world(guide) || self.pose_of(guide).is_some();
+            if self.joint_of_rider(slide) != Some(point) || !stands {
+                continue;
+            }
+            let Track::Straight(line) = self.track(slide, None) else { continue };
+            let way = self.board.input_amount(input, way);
+            let scale = self.length_scale();
+            let along = self.board.to_paper(way, scale);
+            return Some(self.board.lay_off(line.through, line.along, along));
+        }
+        None
+    }
+
+    /// The parallels to its link's guides on which a point lies, where it is known how that link is turned and a rider of the
+    /// guide stands.
+    fn tracks_by_carried_guides(&mut self, point: PointId) -> Vec<Track> {
+        let mut tracks = Vec::new();
+        for slide in 0..self.mechanism.slides.len() {
+            let guide = self.mechanism.slides[slide].guide;
+            let link = guide.link;
+            let of_link = link != LinkId::FRAME && self.mechanism.link(link).points.contains(&point);
+            let rider = self.joint_of_rider(slide).and_then(|rider| self.places[rider.0]);
+            let (Some(at), true) = (rider, of_link) else { continue };
+            let Track::Straight(own) = self.own_line(&guide) else { continue };
+            let Some((own_along, along)) = self.direction_by_rides(link, None, DEEPEST) else { continue };
+            let turn = self.board.angle_between(own_along, own.along);
+            let along = self.board.turned(along, turn);
+            let own_point = self.own(link, point);
+            let [_, across] = self.board.square_off(own, own_point);
+            let left = self.board.quarter_turn(along);
+            tracks.push(Track::Straight(Line { through: self.board.lay_off(at, left, across), along }));
+        }
+        tracks
     }
 
     /// A circle about a rider that stands on a guide of a point's own link, where an input says how far along the guide

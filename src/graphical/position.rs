@@ -118,6 +118,45 @@ fn touches(met: &Result<Pair, DrawError>) -> bool {
 }
 
 impl Draughtsman<'_> {
+    /// Whether where two lines meet is not told: they only touch, or may do so for what the places leave open behind them.
+    pub(super) fn is_unclear<E>(&mut self, met: &Result<Pair, E>) -> bool {
+        let Ok(pair) = met else { return true };
+        if pair.tangent || pair.crossing < TOUCHES {
+            return true;
+        }
+        self.board.tape().aside(true);
+        let at = self.board.take(*pair, Side::First);
+        self.board.tape().aside(false);
+        !self.is_told(at)
+    }
+
+    /// Whether a guide and an arc about a base only touch, or may do so for what the places leave open behind them.
+    fn may_touch(&mut self, met: &Result<Pair, DrawError>, track: Track, circle: Circle) -> bool {
+        if touches(met) {
+            return true;
+        }
+        if met.is_ok() {
+            return self.is_unclear(met);
+        }
+        self.board.tape().aside(true);
+        let radius = circle.radius;
+        let (reaches, away, marks) = match track {
+            Track::Straight(line) => {
+                let [_, across] = self.board.square_off(line, circle.centre);
+                ([radius.value(); 2], across.value().abs(), vec![across.mark(), radius.mark()])
+            }
+            Track::Arc(arc) => {
+                let apart = self.board.distance(circle.centre, arc.centre);
+                let [r, s] = [radius.value(), arc.radius.value()];
+                let marks = vec![apart.mark(), radius.mark(), arc.radius.mark()];
+                ([r + s, (r - s).abs()], apart.value(), marks)
+            }
+        };
+        self.board.tape().aside(false);
+        let miss = reaches.iter().fold(f64::INFINITY, |least, reach| least.min((away - reach).abs()));
+        miss <= self.left_open(&marks)
+    }
+
     /// Finds the places of one group. Where something was missing that is the reason, whatever else went wrong.
     pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
         let drawn = self.draw_group(step, group);
@@ -392,7 +431,7 @@ impl Draughtsman<'_> {
     }
 
     /// Whether a link of one joint may swivel by this pair: its guide leads through that joint.
-    fn swivels_on(&self, link: LinkId, slide: usize) -> bool {
+    pub(super) fn swivels_on(&self, link: LinkId, slide: usize) -> bool {
         let guide = self.mechanism.slides[slide].guide;
         let Path::Straight { through, .. } = guide.path else { return false };
         let own = match through {
@@ -1539,7 +1578,7 @@ impl Draughtsman<'_> {
         // Where the arc only touches the guide, a further place tells better how the rod stands.
         let points = self.mechanism.link(rod).points.clone();
         let placed = points.into_iter().find(|&p| p != base && p != pin && self.given_place(p).is_some());
-        if let Some(far) = placed.filter(|_| touches(&met)) {
+        if let Some(far) = placed.filter(|_| self.may_touch(&met, track, circle)) {
             self.prick_given(far);
             self.pose_by_points(rod, base, far);
             let own = self.own(rod, pin);
@@ -1672,10 +1711,21 @@ impl Draughtsman<'_> {
             let placed = points.into_iter().find(|&p| p != base && self.given_place(p).is_some());
             match (met, placed) {
                 // Where the pin is nearest to its base on the guide, a further place tells the lever's direction better.
-                (met, Some(far)) if touches(&met) => {
+                (met, Some(far)) if self.may_touch(&met, track, circle) => {
                     self.prick_given(far);
                     self.pose_by_points(lever, base, far);
                     self.act(Act::MarkPlaces);
+                }
+                (met, None)
+                    if self.stated_on(lever, base).is_some() && self.may_touch(&met, track, circle) =>
+                {
+                    // So does a stated one, though dimensions hold it as well.
+                    if let Some((far, stated)) = self.stated_on(lever, base) {
+                        let own_far = self.own(lever, far);
+                        let (own_along, _) = self.board.toward(own_anchor, own_far, reason);
+                        let (along, _) = self.board.toward(at_base, stated, reason);
+                        self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
+                    }
                 }
                 (met, _) => {
                     let pair = met?;
@@ -1692,6 +1742,12 @@ impl Draughtsman<'_> {
         }
         self.transfer_by_pose(step, lever);
         Ok(())
+    }
+
+    /// A point of a link besides its base that is stated where dimensions and guides hold it, with the stated place.
+    fn stated_on(&self, link: LinkId, base: PointId) -> Option<(PointId, Point)> {
+        let points = self.mechanism.link(link).points.iter().copied().filter(|&p| p != base);
+        points.into_iter().find_map(|p| Some((p, self.stated_hints[p.0]?)))
     }
 
     /// Chooses between the two ways in which a lever's guide can pass through a pin.

@@ -5,7 +5,9 @@
 //!
 //! *Position*: the open end runs along its trial curve as the trial driver turns; the place where it satisfies
 //! the open constraint is found on a scratch board, laid on the real one, and corrected there by one step of
-//! the rule of false position, which leaves on the tape how the place depends on every given number.
+//! the rule of false position, which leaves on the tape how the place depends on every given number. Trials are made over
+//! the whole range of the driver, ever closer to where it has a rough place, and between two trials wherever the miss bends
+//! so much that it may pass zero there unseen.
 //!
 //! *Velocity*: two trial polygons, with the trial driver turning at any two rates. As the rate changes, the
 //! image of the open end moves along the straight line through its two trial images (every velocity is linear
@@ -35,6 +37,15 @@ use super::{DrawError, FAR_FROM_HINT};
 
 /// Trial angles in a whole turn.
 const TRIALS: u32 = 720;
+/// Trials about an expected place begin at this power of a half of the range, and end at that.
+const FARTHEST: i32 = 3;
+const CLOSEST: i32 = 18;
+/// Between two trials it is looked closer so often, each time into four parts.
+const DEEPEST_LOOK: usize = 9;
+/// Trials of one range that are made to look closer, at most.
+const MOST_CLOSER: usize = 2000;
+/// A miss that bends by less than this part of what counts as a root is straight.
+const NO_BEND: f64 = 1e-3;
 /// Halvings of a bracket.
 const HALVINGS: usize = 60;
 /// A residual is a root, not a jump, below this part of the paper's size (100 mm).
@@ -51,7 +62,7 @@ const OF_LENGTHS: f64 = 1e-6;
 /// Paper length of a trial vector, millimetres.
 const TRIAL_VECTOR: f64 = 50.0;
 /// Assemblies that are searched for the place of a group, before other ways to try it are given up.
-const MOST_ASSEMBLIES: usize = 32;
+const MOST_ASSEMBLIES: usize = 64;
 /// The same where none has led to a place yet.
 const MOST_WHERE_NONE: usize = 128;
 /// Ways in which a group is tried, at most.
@@ -254,7 +265,13 @@ impl<'m> Draughtsman<'m> {
         }
         // What is searched through is limited: a group of many dyads is tried in one way only.
         let mut searched = assemblies(&first);
+        let mut closed: Vec<Vec<(TrialDriver, Closing)>> = Vec::new();
+        closed.extend(nearest.is_some().then(|| first.drivers.clone()));
         for trial in self.other_ways(index) {
+            // What closes with the same driven and the same left open closes in the same places, whatever is known of it.
+            if closed.contains(&trial.drivers) {
+                continue;
+            }
             searched += assemblies(&trial);
             let most = if nearest.is_some() { MOST_ASSEMBLIES } else { MOST_WHERE_NONE };
             if searched > most {
@@ -269,6 +286,7 @@ impl<'m> Draughtsman<'m> {
                 self.ways.insert(index, trial);
                 return other;
             }
+            closed.push(trial.drivers.clone());
             let miss = self.miss_of_hints(&trial);
             if other.is_ok() && nearest.as_ref().is_none_or(|(least, _)| miss < CLEARLY * least) {
                 nearest = Some((miss, Some(trial)));
@@ -814,6 +832,7 @@ impl<'m> Draughtsman<'m> {
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
+        let expected = sketch.expected(driver);
         let blank = sketch.standing_now();
         for combination in 0..assemblies(trial) {
             let sides: Vec<Side> = (0..choices)
@@ -827,46 +846,29 @@ impl<'m> Draughtsman<'m> {
                 let miss = sketch.miss(closing).ok()??.value();
                 miss.is_finite().then_some(miss)
             };
-            // A root may hide between the last trial that closes and the edge of what closes, or where the
-            // miss only just turns back: both are looked into.
-            let angle_of = |k: u32| reach * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0);
-            let mut found = Vec::new();
-            let mut seen: Vec<(f64, f64)> = Vec::new();
-            let mut before = evaluate(angle_of(0));
-            seen.extend(before.map(|f| (angle_of(0), f)));
             // One more than a whole turn: a root at its seam lies between two trials as well.
-            for k in 1..=TRIALS + 1 {
-                let (here, last) = (angle_of(k), angle_of(k - 1));
-                let now = evaluate(here);
-                let edge = match (before, now) {
-                    (None, Some(_)) => {
-                        seen.clear();
-                        edge(&mut evaluate, last, here)
+            let whole_turn = (0..=TRIALS + 1).map(|k| reach * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0));
+            let mut found = Vec::new();
+            for angles in [whole_turn.collect(), about(expected, reach)] {
+                for run in runs(&mut evaluate, &angles) {
+                    // A root at the very edge, where a group inside is at its own dead centre, is none that is passed.
+                    let edges = run.edges.iter().filter(|(_, miss)| miss.abs() < at_edge);
+                    found.extend(edges.map(|(angle, _)| *angle));
+                    least = run.seen.iter().fold(least, |least, (_, f)| least.min(f.abs()));
+                    // A root may hide where the miss only just turns back, next to the edge of what closes, and beside an
+                    // angle for which a group inside runs away: all are looked into.
+                    for window in run.seen.windows(3) {
+                        let &[first, middle, end] = window else { continue };
+                        if let Some(turn) = turning(&mut evaluate, first, middle, end) {
+                            found.extend(bracketed(&mut evaluate, first, turn, is_root));
+                            found.extend(bracketed(&mut evaluate, turn, end, is_root));
+                        }
                     }
-                    (Some(_), None) => edge(&mut evaluate, here, last),
-                    _ => None,
-                };
-                // A root at the very edge, where a group inside is at its own dead centre, is none that is passed.
-                found.extend(edge.filter(|(_, miss)| miss.abs() < at_edge).map(|(angle, _)| angle));
-                seen.extend(edge);
-                seen.extend(now.map(|f| (here, f)));
-                least = seen.iter().fold(least, |least, (_, f)| least.min(f.abs()));
-                if let &[.., first, middle, end] = seen.as_slice()
-                    && let Some(turn) = turning(&mut evaluate, first, middle, end)
-                {
-                    found.extend(bracketed(&mut evaluate, first, turn, is_root));
-                    found.extend(bracketed(&mut evaluate, turn, end, is_root));
+                    for pair in run.seen.windows(2) {
+                        found.extend(bracketed(&mut evaluate, pair[0], pair[1], is_root));
+                    }
+                    found.extend(looked_into(&mut evaluate, &run, is_root));
                 }
-                let pairs: Vec<_> = seen.windows(2).map(|w| (w[0], w[1])).collect();
-                for &(a, b) in pairs.iter().rev().take(2) {
-                    found.extend(bracketed(&mut evaluate, a, b, is_root));
-                }
-                if now.is_none() {
-                    seen.clear();
-                }
-                let old = seen.len().saturating_sub(2);
-                seen.drain(..old);
-                before = now;
             }
             for angle in found {
                 sketch.stand_as(&blank);
@@ -879,6 +881,31 @@ impl<'m> Draughtsman<'m> {
             }
         }
         self.choose_root(trial, roots, least)
+    }
+
+    /// Where a driver is tried if it stands by its rough place, where that tells.
+    fn expected(&mut self, driver: TrialDriver) -> Option<f64> {
+        let angle = |[from_x, from_y]: [f64; 2], [x, y]: [f64; 2]| libm::atan2(y - from_y, x - from_x);
+        match driver {
+            TrialDriver::Turn(link) => {
+                let &[first, second, ..] = self.mechanism.link(link).joints() else { return None };
+                let [from, to] = [first, second]
+                    .map(|p| self.places[p.0].map(|at| at.value()).or_else(|| self.hint_on_paper(p)));
+                Some(angle(from?, to?))
+            }
+            TrialDriver::Slide(slide) => {
+                let hint = self.hint_on_paper(self.joint_of_rider(slide)?)?;
+                let track = self.track(slide, None);
+                self.nothing_missing().ok()?;
+                Some(match track {
+                    Track::Straight(Line { through, along }) => {
+                        let ([x, y], [cos, sin]) = (through.value(), along.value());
+                        (hint[0] - x) * cos + (hint[1] - y) * sin
+                    }
+                    Track::Arc(arc) => angle(arc.centre.value(), hint),
+                })
+            }
+        }
     }
 
     /// Whether a driver is tried by an angle; else by a way along its guide.
@@ -1345,6 +1372,114 @@ fn closes_outside(mechanism: &Mechanism, trial: &Trial, closing: Closing) -> boo
     }
 }
 
+/// Trials about an expected one, ever closer: there the range in which a group closes may be shorter than a step of the whole.
+fn about(expected: Option<f64>, reach: f64) -> Vec<f64> {
+    let Some(expected) = expected else { return Vec::new() };
+    let away = |k: i32| libm::ldexp(reach, -k);
+    let below = (FARTHEST..=CLOSEST).map(|k| expected - away(k));
+    let above = (FARTHEST..=CLOSEST).rev().map(|k| expected + away(k));
+    below.chain([expected]).chain(above).collect()
+}
+
+/// Trials one after the other, for all of which the group closes, with the misses.
+#[derive(Debug, Default, PartialEq)]
+struct Run {
+    seen: Vec<(f64, f64)>,
+    /// Which of them are edges of what closes.
+    edges: Vec<(f64, f64)>,
+}
+
+/// Trials at these angles, by the ranges in which the group closes.
+fn runs(evaluate: &mut impl FnMut(f64) -> Option<f64>, angles: &[f64]) -> Vec<Run> {
+    let mut all = Vec::new();
+    let mut run = Run::default();
+    let mut before: Option<(f64, bool)> = None;
+    for &here in angles {
+        let now = evaluate(here);
+        let edge = match before {
+            Some((last, false)) if now.is_some() => edge(evaluate, last, here),
+            Some((last, true)) if now.is_none() => edge(evaluate, here, last),
+            _ => None,
+        };
+        run.seen.extend(edge);
+        run.edges.extend(edge);
+        run.seen.extend(now.map(|miss| (here, miss)));
+        if now.is_none() && !run.seen.is_empty() {
+            all.push(std::mem::take(&mut run));
+        }
+        before = Some((here, now.is_some()));
+    }
+    if !run.seen.is_empty() {
+        all.push(run);
+    }
+    all
+}
+
+/// Roots that hide between two trials of a run: of two next to each other, of one next to an angle for which a group inside
+/// runs away, and of those next to an edge, where a miss goes with the root of what is left.
+fn looked_into(evaluate: &mut impl FnMut(f64) -> Option<f64>, run: &Run, is_root: f64) -> Vec<f64> {
+    let mut closer = Closer { evaluate, is_root, left: MOST_CLOSER, found: Vec::new() };
+    let at = |index: Option<usize>| index.and_then(|index| run.seen.get(index).copied());
+    for index in 0..run.seen.len().saturating_sub(1) {
+        let pair = [run.seen[index], run.seen[index + 1]];
+        closer.look([at(index.checked_sub(1)), at(Some(index + 2))], pair, 0);
+    }
+    closer.found
+}
+
+/// Looks closer where a miss may pass zero unseen.
+struct Closer<'e, E> {
+    evaluate: &'e mut E,
+    is_root: f64,
+    /// Trials that may still be made.
+    left: usize,
+    found: Vec<f64>,
+}
+
+impl<E: FnMut(f64) -> Option<f64>> Closer<'_, E> {
+    /// By how much a miss is beside the straight line between its neighbours.
+    fn bend([a, b, c]: [(f64, f64); 3]) -> f64 {
+        (b.1 - a.1 - (c.1 - a.1) * (b.0 - a.0) / (c.0 - a.0)).abs()
+    }
+
+    /// Whether the miss may pass zero between two trials besides where its signs tell: it bends by as much as it would have
+    /// to. A parabola that bends by b over two steps is, between two trials at which it is larger than b / 4, nowhere zero.
+    fn may_hide(&self, [before, after]: [Option<(f64, f64)>; 2], [a, b]: [(f64, f64); 2]) -> bool {
+        /// As much more than a parabola bends.
+        const AT_LEAST: f64 = 2.0;
+        let bends = [before.map(|before| Self::bend([before, a, b])), after.map(|c| Self::bend([a, b, c]))];
+        let bend = bends.into_iter().flatten().fold(0.0_f64, f64::max);
+        let apart = if (a.1 <= 0.0) == (b.1 <= 0.0) { a.1.abs().min(b.1.abs()) } else { (b.1 - a.1).abs() };
+        bend > self.is_root * NO_BEND && apart <= AT_LEAST * bend
+    }
+
+    fn look(&mut self, beside: [Option<(f64, f64)>; 2], pair: [(f64, f64); 2], deep: usize) {
+        /// Into so many parts.
+        const PARTS: u32 = 4;
+        let [a, b] = pair;
+        if deep == DEEPEST_LOOK || self.left == 0 || !self.may_hide(beside, pair) {
+            if deep > 0 {
+                self.found.extend(bracketed(self.evaluate, a, b, self.is_root));
+            }
+            return;
+        }
+        self.left = self.left.saturating_sub(PARTS as usize - 1);
+        let between = (0..=PARTS).map(|k| a.0 + (b.0 - a.0) * f64::from(k) / f64::from(PARTS));
+        let angles: Vec<f64> = between.collect();
+        for run in runs(self.evaluate, &angles) {
+            let seen = &run.seen;
+            for index in 0..seen.len().saturating_sub(1) {
+                let before = match index.checked_sub(1) {
+                    Some(before) => seen.get(before).copied(),
+                    None => beside[0].filter(|_| seen[0].0 == a.0),
+                };
+                let after = seen.get(index + 2).copied().or(beside[1].filter(|_| seen[index + 1].0 == b.0));
+                self.look([before, after], [seen[index], seen[index + 1]], deep + 1);
+            }
+        }
+    }
+}
+
 /// The outermost angle at which the group still closes, between one where it does not and one where it
 /// does, with the miss there.
 fn edge(
@@ -1421,7 +1556,42 @@ fn halve(
 
 #[cfg(test)]
 mod tests {
-    use super::around;
+    use super::{around, looked_into, runs};
+
+    /// The roots that trials at a tenth from each other lead to, and those that hide between them.
+    fn roots(mut miss: impl FnMut(f64) -> Option<f64>) -> Vec<f64> {
+        let angles: Vec<f64> = (0..=10).map(|k| f64::from(k) / 10.0).collect();
+        let mut all = Vec::new();
+        for run in runs(&mut miss, &angles) {
+            all.extend(looked_into(&mut miss, &run, 1e-6));
+        }
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    fn are(found: &[f64], roots: &[f64]) -> bool {
+        found.len() == roots.len() && found.iter().zip(roots).all(|(a, b)| (a - b).abs() < 1e-9)
+    }
+
+    #[test]
+    fn roots_between_two_trials_are_looked_for() {
+        // Two next to the edge of what closes, where a miss goes with the root of what is left.
+        let edge = |x: f64| (x >= 0.03).then(|| (x - 0.03).sqrt()).map(|s| (s - 0.1) * (s - 0.2));
+        let found = roots(edge);
+        assert!(are(&found, &[0.04, 0.07]), "{found:?}");
+        // One beside an angle for which a group inside runs away: the miss has one sign on both sides of the two.
+        let away = |x: f64| Some((x - 0.51) / (x - 0.52));
+        let found = roots(away);
+        assert!(are(&found, &[0.51]), "{found:?}");
+        // Two close together, where the miss only just turns back.
+        let turns = |x: f64| Some((x - 0.52) * (x - 0.53));
+        let found = roots(turns);
+        assert!(are(&found, &[0.52, 0.53]), "{found:?}");
+        // None where the miss is straight, or only jumps.
+        assert_eq!(roots(|x| Some(x + 0.1)), [0.0; 0]);
+        assert_eq!(roots(|x| Some(1.0 / (x - 0.52))), [0.0; 0]);
+        assert_eq!(roots(|x| Some(if x < 0.55 { -1.0 } else { 1.0 })), [0.0; 0]);
+    }
 
     #[test]
     fn trial_rates_are_round_and_enclose_the_value() {

@@ -70,6 +70,10 @@ fn case(seed: u64) -> Result<Case, &'static str> {
     let (growth, state, mut dice) = moving(seed)?;
     let m = growth.mechanism;
     let mut said = statement::say(&m, &growth.made, &mut dice);
+    if !truth::tells_places(&m, &said.told) {
+        // A link of placed points rides as placed: how it is turned against its guide only the guide's own places say.
+        return Err("a rider as placed whose guide nothing places");
+    }
     if seed >= BY_FIGURE {
         let mut dice = Dice::new(seed ^ BY_FIGURE);
         said.ways.extend(figure::restate(&mut said.scene, &m, said.units, &mut dice));

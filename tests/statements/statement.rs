@@ -3,9 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use super::mechanism::{
-    Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, angle, cross, direction, dot, left, length,
-    minus, plus, unit,
+    Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, Slide, angle, cross, direction, dot, left,
+    length, minus, plus, unit,
 };
+use super::truth::Told;
 use crate::extremes::dice::Dice;
 
 const TURN: f64 = 2.0 * std::f64::consts::PI;
@@ -70,6 +71,8 @@ pub(crate) struct Said {
     pub(crate) journals: Vec<Option<f64>>,
     /// How, for the tables.
     pub(crate) ways: Vec<&'static str>,
+    /// What it says of places.
+    pub(crate) told: Told,
 }
 
 struct Writer<'a> {
@@ -750,5 +753,21 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
         scene.insert("pins".into(), Value::Object(pins));
     }
     let scene = w.shuffled(scene);
-    Said { scene: Value::Object(scene), units, own: w.own, journals, ways }
+    let of_one_joint = |body: usize| w.joins[body].len() == 1;
+    let rides = |body: usize| m.slides.iter().any(|s| s.rider == Rider::Link(body));
+    let swivels = |body: usize| m.slides.iter().any(|s| s.on == body && s.swivel);
+    let is_link = |body: usize| m.bodies[body].kind == Kind::Link;
+    let as_placed = |slide: &Slide| match slide.rider {
+        Rider::Link(body) => !of_one_joint(body) && w.dimensions[body] == Dimensions::None,
+        Rider::Pin { .. } => false,
+    };
+    let told = Told {
+        stands: (0..m.points.len()).map(|p| w.stands(p)).collect(),
+        as_placed: m.slides.iter().map(as_placed).collect(),
+        inputs: inputs.iter().map(|said| said.get("angle").or(said.get("at")).is_some()).collect(),
+        upright: (0..m.bodies.len())
+            .map(|b| is_link(b) && of_one_joint(b) && !rides(b) && !swivels(b))
+            .collect(),
+    };
+    Said { scene: Value::Object(scene), units, own: w.own, journals, ways, told }
 }

@@ -54,6 +54,11 @@ fn turned(turn: Jet, along: Place) -> Moving {
 
 /// What holds the bodies together: zero in every position, with its rates.
 fn equations(mechanism: &Mechanism, state: &State) -> Vec<Jet> {
+    equations_but(mechanism, state, &[])
+}
+
+/// The same without saying that these links turn with those on which they ride.
+fn equations_but(mechanism: &Mechanism, state: &State, loose: &[[usize; 2]]) -> Vec<Jet> {
     let mut all = Vec::new();
     for point in &mechanism.points {
         let mut of = point.of.iter();
@@ -77,6 +82,7 @@ fn equations(mechanism: &Mechanism, state: &State) -> Vec<Jet> {
                 let from = state.place(slide.on, through);
                 all.push(state.direction(slide.on, left(along)).dot(rider.minus(from)));
                 match slide.rider {
+                    Rider::Link(turning) if loose.contains(&[turning, slide.on]) => {}
                     Rider::Pin { block: Some(turning), .. } | Rider::Link(turning) => {
                         all.push(state.turn(turning) - state.turn(slide.on));
                     }
@@ -146,6 +152,90 @@ fn drives(mechanism: &Mechanism, state: &State, after: f64) -> Vec<Jet> {
             }
         })
         .collect()
+}
+
+/// What a scene says of places.
+pub(crate) struct Told {
+    /// By point: its place.
+    pub(crate) stands: Vec<bool>,
+    /// By slide: its rider is a link that rides as placed, with no angle said between the two.
+    pub(crate) as_placed: Vec<bool>,
+    /// By input: its angle, or its place along the guide.
+    pub(crate) inputs: Vec<bool>,
+    /// By body: its axes are the world's, whatever else is said.
+    pub(crate) upright: Vec<bool>,
+}
+
+/// Of how many points the places may still change, to first order, by what a scene says: lengths and guides, and what is told of
+/// places; rolling says nothing. `angles`: whether it is said how links that ride as placed are turned against their guides.
+fn loose_points(mechanism: &Mechanism, told: &Told, angles: bool) -> usize {
+    /// Singular values below this part of the largest are zero.
+    const ZERO: f64 = 1e-9;
+    /// A coordinate that changes by less than this part of what changes at all stands.
+    const STANDS: f64 = 1e-6;
+    let mut state = start(mechanism);
+    let unknowns = state.jets.len();
+    let size = mechanism.size();
+    let all = |state: &State| {
+        let mut all = Vec::new();
+        let without_rolls = Mechanism { rolls: Vec::new(), ..mechanism.clone() };
+        let riding = told.as_placed.iter().zip(&mechanism.slides);
+        let mut loose: Vec<[usize; 2]> = Vec::new();
+        for (_, slide) in riding.filter(|(as_placed, _)| **as_placed && !angles) {
+            if let Rider::Link(rider) = slide.rider {
+                loose.push([rider, slide.on]);
+            }
+        }
+        all.extend(equations_but(&without_rolls, state, &loose));
+        for roll in mechanism.rolls.iter().filter(|roll| roll.keeps_distance) {
+            let only = Mechanism { rolls: vec![*roll], slides: vec![], ..mechanism.clone() };
+            all.extend(equations(&only, state).pop());
+        }
+        for (drive, _) in
+            drives(mechanism, state, 0.0).into_iter().zip(&told.inputs).filter(|(_, told)| **told)
+        {
+            all.push(drive);
+        }
+        for (point, _) in mechanism.points.iter().zip(&told.stands).filter(|(_, stands)| **stands) {
+            let at = state.place(point.of[0], point.at);
+            all.extend([at.x, at.y]);
+        }
+        for body in (1..mechanism.bodies.len()).filter(|body| told.upright[*body]) {
+            all.push(state.turn(body));
+        }
+        all
+    };
+    let rows = all(&state).len();
+    let mut columns = DMatrix::zeros(rows.max(unknowns), unknowns);
+    for column in 0..unknowns {
+        state.jets[column].rate = if column % 3 == 2 { 1.0 } else { size };
+        for (row, equation) in all(&state).iter().enumerate() {
+            columns[(row, column)] = equation.rate / size.max(f64::MIN_POSITIVE);
+        }
+        state.jets[column].rate = 0.0;
+    }
+    let decomposed = columns.svd(false, true);
+    let Some(right) = decomposed.v_t else { return 0 };
+    let largest = decomposed.singular_values.max();
+    let free: Vec<usize> =
+        (0..unknowns).filter(|k| decomposed.singular_values[*k] <= ZERO * largest).collect();
+    let mut moves = vec![false; mechanism.points.len()];
+    for k in free {
+        for (column, jet) in state.jets.iter_mut().enumerate() {
+            jet.rate = right[(k, column)] * if column % 3 == 2 { 1.0 } else { size };
+        }
+        for (point, moves) in mechanism.points.iter().zip(&mut moves) {
+            *moves |= length(state.place(point.of[0], point.at).velocity()) > STANDS * size;
+        }
+        state.jets.iter_mut().for_each(|jet| jet.rate = 0.0);
+    }
+    moves.into_iter().filter(|moves| *moves).count()
+}
+
+/// Whether a scene tells the places in spite of links that ride as placed: what these leave open, nothing else may have to say.
+pub(crate) fn tells_places(mechanism: &Mechanism, told: &Told) -> bool {
+    !told.as_placed.contains(&true)
+        || loose_points(mechanism, told, false) <= loose_points(mechanism, told, true)
 }
 
 /// Why there is no truth.
