@@ -11,6 +11,7 @@ use crate::mechanism::quantity::{Answer, Nature, Quantity, Unit};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
 use crate::sheet::figure::{Figure, Group, Node};
+use crate::sheet::font::ARABIC_FAMILIES;
 use crate::sheet::moving::{self, Draughts, Lengths, Said};
 use crate::sheet::{Language, Part, prompt};
 use crate::solve::Solved;
@@ -315,18 +316,24 @@ fn tight(line: &str) -> String {
 
 /// A drawing in fewer bytes: the commonest size of type is said once, and a run says its height only where that changes.
 fn lean(svg: &str) -> String {
-    const SIZE: &str = " font-size=\"3.5\"";
+    // The size that most texts have is said once.
+    let sizes =
+        svg.split(" font-size=\"").skip(1).filter_map(|rest| rest.split_once('"')).map(|(own, _)| own);
+    let mut times: std::collections::BTreeMap<&str, usize> = std::collections::BTreeMap::new();
+    sizes.for_each(|own| *times.entry(own).or_default() += 1);
+    let most = times.into_iter().max_by_key(|(_, times)| *times).map_or("3.5", |(own, _)| own);
+    let size = format!(" font-size=\"{most}\"");
     let mut out = String::with_capacity(svg.len());
     let mut height: Option<&str> = None;
     for (index, piece) in svg.split("<tspan ").enumerate() {
         if index == 0 {
-            out.push_str(&piece.replacen("<svg ", "<svg font-size=\"3.5\" ", 1));
+            out.push_str(&piece.replacen("<svg ", &format!("<svg{size} "), 1));
             continue;
         }
         let (attributes, text) = piece.split_once('>').unwrap_or((piece, ""));
         let own =
             attributes.split_once(" y=\"").and_then(|(_, rest)| rest.split_once('"')).map(|(own, _)| own);
-        let mut kept = attributes.replace(SIZE, "");
+        let mut kept = attributes.replace(&size, "");
         if let (Some(own), true) = (own, own == height) {
             kept = kept.replacen(&format!(" y=\"{own}\""), "", 1);
         }
@@ -336,7 +343,10 @@ fn lean(svg: &str) -> String {
         out.push('>');
         out.push_str(text);
     }
-    let out = hatched_at_once(&out.replace(">\n<", "><"));
+    // The face of Arabic script has its class in the style of the page.
+    let family = format!(" font-family=\"{ARABIC_FAMILIES}\"");
+    let out = out.replace(&family, &format!(" class=\"{}\"", svg::ARABIC_CLASS));
+    let out = hatched_at_once(&alone(&out.replace(">\n<", "><")));
     let out = out.replace("#000000", "#000").replace("#ffffff", "#fff");
     // Said once in the style of the page.
     let out = out.replace(" fill=\"none\" stroke=\"#000\"", "");
@@ -345,6 +355,24 @@ fn lean(svg: &str) -> String {
         (name.starts_with("data-") && name != "data-step") || (name == "class" && !styled(value))
     });
     out.replace("<g/>", "")
+}
+
+/// Texts of one run, without an element for that.
+fn alone(markup: &str) -> String {
+    let mut out = String::with_capacity(markup.len());
+    for (index, piece) in markup.split("<text").enumerate() {
+        if index > 0 {
+            out.push_str("<text");
+        }
+        let run = piece.split_once("><tspan ").and_then(|(own, rest)| {
+            let (attributes, rest) = rest.split_once('>')?;
+            let (text, after) = rest.split_once("</tspan></text>")?;
+            let is_one = index > 0 && !own.contains('>') && !text.contains('<');
+            is_one.then(|| format!("{own} {attributes}>{text}</text>{after}"))
+        });
+        out.push_str(run.as_deref().unwrap_or(piece));
+    }
+    out
 }
 
 /// Strokes of a hatch that follow each other and are drawn alike, as one path.
@@ -377,7 +405,7 @@ fn hatched_at_once(markup: &str) -> String {
 }
 
 /// Classes of a sheet that the style of the page names.
-const STYLED: [&str; 2] = ["velocity", "acceleration"];
+const STYLED: [&str; 3] = ["velocity", "acceleration", svg::ARABIC_CLASS];
 
 /// Markup without some of its attributes, which are told by name and value.
 fn without(markup: &str, is_left_out: &dyn Fn(&str, &str) -> bool) -> String {

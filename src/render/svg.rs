@@ -35,7 +35,7 @@ const LAYOUT: usize = 3;
 const PRECISE: usize = 6;
 
 /// The class of words in Arabic script, where the file says once what family they have.
-const ARABIC_CLASS: &str = "arabic";
+pub const ARABIC_CLASS: &str = "arabic";
 
 /// Stands for what every identifier begins with, until the content is known; no text has it (see [`printable`]).
 const PREFIX: char = '\u{1}';
