@@ -404,6 +404,52 @@ test('names are calm', async () => {
   return `of 100 touch another (have no room): ${all.join(', ')}`;
 });
 
+test('names of arrows are there, and stay', async () => {
+  const all = [];
+  for (const scene of [four, moving[5]]) {
+    const page = await open(pageOf(scene), { atOnce: true });
+    const found = await page.evaluate(async (positions) => {
+      const slide = document.getElementById('at'), span = Number(slide.max) - Number(slide.min), sums = {};
+      const isHidden = (element) => element.getAttribute('visibility') === 'hidden';
+      // An arrow too short to be one is a dot.
+      const isArrow = (one) => !isHidden(one) && !isHidden(one.querySelector('.shaft'));
+      const before = new Map();
+      for (let i = 0; i < positions; i++) {
+        slide.value = String(Number(slide.min) + span * (i + 0.5) / positions);
+        slide.dispatchEvent(new Event('input'));
+        await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+        for (const svg of document.querySelectorAll('#stage svg')) {
+          const arrows = [...svg.querySelectorAll('.vector')].filter(isArrow).map((one) => one.dataset.quantity);
+          const sum = sums[svg.id] = sums[svg.id] || { arrows: 0, unnamed: 0, switched: 0, counted: 0 };
+          for (const label of svg.querySelectorAll('.labels > g')) {
+            if (!(label.dataset.of || '').split(' ').some((of) => arrows.includes(of))) {
+              before.delete(label.id);
+              continue;
+            }
+            sum.arrows += 1;
+            sum.unnamed += isHidden(label);
+            sum.switched += before.has(label.id) && before.get(label.id) !== isHidden(label);
+            before.set(label.id, isHidden(label));
+          }
+          const caption = document.getElementById(svg.id.replace('panel', 'beyond')).textContent;
+          sum.counted += Number(/(\d+) names? ha(s|ve) no room/.exec(caption)?.[1] || 0);
+        }
+      }
+      return sums;
+    }, 360);
+    await page.close();
+    for (const [id, { arrows, unnamed, switched, counted }] of Object.entries(found)) {
+      if (arrows === 0) continue;
+      assert.ok(unnamed <= 0.1 * arrows, `${scene} ${id}: ${unnamed} of ${arrows} arrows have no name`);
+      assert.ok(switched <= 0.03 * arrows, `${scene} ${id}: names come and go ${switched} times at ${arrows} arrows`);
+      // A name that is left out is told of.
+      assert.ok(counted >= 0.9 * unnamed, `${scene} ${id}: ${unnamed} arrows have no name, the captions tell of ${counted}`);
+      all.push(`${(100 * unnamed / arrows).toFixed(1)} (${(100 * switched / arrows).toFixed(1)})`);
+    }
+  }
+  return `of 100 arrows have no name (come and go): ${all.join(', ')}`;
+});
+
 /** How far a name goes of itself at most in a degree of the input, or in as small a part of its range. */
 function glide(html) {
   const live = liveOf(html);

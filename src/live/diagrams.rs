@@ -36,8 +36,8 @@ const COUNTED: usize = 95;
 const LARGEST: (f64, f64) = (160.0, 150.0);
 /// A polygon that could be so many times larger is too small to be read.
 const SMALLEST_PART: f64 = 4.0;
-/// A vector that is shorter has no name now, mm.
-const SHORTEST_NAMED: f64 = 4.0;
+/// A vector that is shorter is a dot and has no name now, mm.
+const SHORTEST_NAMED: f64 = 1.0;
 
 /// What a panel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -636,6 +636,11 @@ impl Panel {
         Seen { places, numbers: numbers.clone() }
     }
 
+    /// Whether names that find no room beside what they name are tied to it by a line.
+    fn has_ties(&self) -> bool {
+        self.kind != DiagramKind::Skeleton || matches!(self.shows, Shows::Layer(_))
+    }
+
     fn json(&self) -> Value {
         let shown = [self.shown.x0, self.shown.y0, self.shown.x1, self.shown.y1];
         json!({
@@ -643,6 +648,7 @@ impl Panel {
             "own": self.own_places,
             "layer": matches!(self.shows, Shows::Layer(_)),
             "polygon": self.kind != DiagramKind::Skeleton,
+            "ties": self.has_ties(),
             "still": self.moving.iter().filter(|moving| moving.by == Move::Still).count(),
             "box": shown,
             "origin": self.origin,
@@ -1497,7 +1503,10 @@ fn place_names(
     };
     let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
     let names: Vec<Name> = spots.iter().map(|own| own.name.clone()).collect();
-    let ways = moving::along(&names, &frames, cyclic, glide, own);
+    // On a skeleton names stand beside what they name.
+    let ties = panel.has_ties();
+    let along = moving::Course { cyclic, glide, home: own, ties, shown: panel.shown };
+    let ways = moving::along(&names, &frames, along);
     let mut labels = Group::new("labels");
     let mut placed = Vec::new();
     for (number, (spot, by)) in spots.into_iter().zip(ways).enumerate() {

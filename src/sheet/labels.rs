@@ -978,7 +978,7 @@ fn conflict<I: Iterator<Item = Rect>>(
     (cost, touch)
 }
 
-fn crossing(a: Point, b: Point, c: Point, d: Point) -> bool {
+pub(super) fn crossing(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p) > 0.0;
     side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
 }

@@ -10,8 +10,9 @@ use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
 use super::growth::Births;
 pub use super::ink::arrow;
 use super::ink::{FINE, SMALL, THICK, THIN, dot, page};
-use super::labels::{Obstacles, Request, Site};
+use super::labels::{Obstacles, Request, Site, crossing};
 use super::notation::Notation;
+use super::overlap::clip;
 use super::panels::{self, Panel};
 use super::rich::Rich;
 use super::steps::{self, Item, WAY};
@@ -628,24 +629,82 @@ const CHANGE: f64 = 1.2;
 const MOST_ASIDE: f64 = 12.0;
 /// What disturbs at the position at which a page opens counts so many times.
 const AT_HOME: f64 = 6.0;
-/// However far a name moves, no more.
-const MOST_CHANGE: f64 = 60.0;
+/// A change of place that goes far costs so much, and by each millimetre so much more: as long as it glides a name may stand in
+/// others' way.
+const FAR_CHANGE: (f64, f64) = (50.0, 6.0);
 /// A name that would be taken for that of another point costs so much; points nearer to each other than this are one, mm.
 const ASTRAY: f64 = 60.0;
 const SAME: f64 = 0.5;
+/// A name that stands farther than this from what it names is tied to it by a fine line, mm.
+const TIED: f64 = 2.6;
+/// The line that ties a name ends on this part of its stroke, about the middle: at its ends others begin.
+const TIED_WITHIN: f64 = 0.8;
+/// A name that does not stand wholly on the panel costs so much.
+const BEYOND: f64 = 350.0;
+/// A name in the way of another's line costs so much, two lines that cross, and every millimetre of a line.
+const IN_A_TIE: f64 = 90.0;
+const TIES_CROSS: f64 = 30.0;
+const TIE: f64 = 0.4;
 /// Each name is placed anew so often, given the others.
 const PASSES: usize = 3;
 
+/// Clear space between names.
+const CLEAR: f64 = 0.8;
+
+/// A course along which names are placed.
+#[derive(Debug, Clone, Copy)]
+pub struct Course {
+    /// The last frame comes before the first.
+    pub cyclic: bool,
+    /// A name goes no further from frame to frame along either axis, mm.
+    pub glide: f64,
+    /// The frame at which a page opens: there names stand where they are best, and at rest.
+    pub home: usize,
+    /// A name that finds no room beside what it names may stand farther off, tied to it by a line.
+    pub ties: bool,
+    /// What is shown of the plane: names stand in it.
+    pub shown: Rect,
+}
+
+/// Where a name may stand in one frame.
+#[derive(Debug, Clone, Copy)]
+struct Priced {
+    /// From its anchor.
+    by: Vec2,
+    /// What it costs beside the ink.
+    cost: f64,
+    /// The line that ties it, from its anchor.
+    tie: Option<(Vec2, Vec2)>,
+}
+
+/// The line by which a name is tied to what it names, both ends told from its anchor: from the edge of its box, which stands
+/// `by` from the anchor, to the nearest place of the stroke that lies off its ends. None where it stands beside it.
+#[must_use]
+fn tie(spot: Spot, half: Vec2, by: Vec2) -> Option<(Vec2, Vec2)> {
+    let end = match spot {
+        Spot::Point(_) => Vec2::ZERO,
+        Spot::Stroke(from, to) => {
+            let d = to - from;
+            let part = if d.hypot2() > 0.0 { by.dot(d) / d.hypot2() } else { 0.0 };
+            d * part.clamp(-TIED_WITHIN / 2.0, TIED_WITHIN / 2.0)
+        }
+    };
+    let way = end - by;
+    // The part of the way that lies in the box.
+    let inside = (half.x / way.x.abs()).min(half.y / way.y.abs());
+    ((1.0 - inside) * way.hypot() >= TIED).then(|| (by + way * inside, end))
+}
+
 /// Where names stand along a course: for each name and frame how far its middle is from its anchor. Each name takes the
 /// sequence of places that costs least over the course, a change of place among the costs; name after name, given the
-/// others. `cyclic` where the last frame comes before the first; `glide`: a name goes no further from frame to frame along
-/// either axis, mm. In the frame `home`, at which a page opens, they stand where they are best, and at rest.
+/// others.
 #[must_use]
-pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, home: usize) -> Vec<Vec<Vec2>> {
+pub fn along(names: &[Name], frames: &[Frame], course: Course) -> Vec<Vec<Vec2>> {
+    let Course { cyclic, glide, home, ties, shown } = course;
     let ink: Vec<Obstacles> = frames.iter().map(|frame| Obstacles::of(&frame.ink)).collect();
     let halves: Vec<Vec2> = names.iter().map(Name::half).collect();
     // The ink does not change from pass to pass.
-    let priced: Vec<Vec<Vec<(Vec2, f64)>>> = names
+    let priced: Vec<Vec<Vec<Priced>>> = names
         .iter()
         .zip(&halves)
         .enumerate()
@@ -653,10 +712,13 @@ pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, home: u
             let at = |(frame, ink): (&Frame, &Obstacles)| {
                 let spot = frame.spots[n]?;
                 let anchor = spot.anchor();
-                let places = places(name, *half, spot).into_iter();
+                let places = places(name, *half, spot, ties).into_iter();
                 let price = |(by, taste): (Vec2, f64)| {
                     let own = Rect::from_center_size(anchor + by, (2.0 * half.x, 2.0 * half.y));
-                    (by, taste + ink.cost_up_to(own, 400.0).min(400.0))
+                    let tie = if ties { tie(spot, *half, by) } else { None };
+                    let long = tie.map_or(0.0, |(from, to)| TIE * (to - from).hypot());
+                    let off = if shown.contains_rect(own) { 0.0 } else { BEYOND };
+                    Priced { by, cost: taste + long + off + ink.cost_up_to(own, 400.0).min(400.0), tie }
                 };
                 Some(places.map(price).collect::<Vec<_>>())
             };
@@ -677,28 +739,204 @@ pub fn along(names: &[Name], frames: &[Frame], cyclic: bool, glide: f64, home: u
     let mut chosen: Vec<Vec<Option<usize>>> = vec![vec![None; frames.len()]; names.len()];
     for _ in 0..PASSES {
         for n in 0..names.len() {
+            // The others as they stand: their middles, halves and lines.
+            let others: Vec<Vec<Standing>> = (0..frames.len())
+                .map(|frame| {
+                    let standing = |m: usize| {
+                        let place = priced[m][frame][chosen[m][frame]?];
+                        let anchor = frames[frame].spots[m]?.anchor();
+                        Some(Standing::new(place, anchor, halves[m]))
+                    };
+                    (0..names.len()).filter(|m| *m != n).filter_map(standing).collect()
+                })
+                .collect();
             let cost = |frame: usize, place: usize| {
-                let (by, own) = priced[n][frame][place];
-                let anchor = |m: usize| frames[frame].spots[m].map(Spot::anchor);
-                let Some(at) = anchor(n).map(|at| at + by) else { return own };
-                let others = (0..names.len()).filter(|m| *m != n).filter_map(|m| {
-                    let (place, at) = (chosen[m][frame]?, anchor(m)?);
-                    Some((at + priced[m][frame][place].0, halves[m]))
-                });
-                let others: f64 = others.map(|(other, half)| beside(at - other, halves[n] + half)).sum();
-                (own + others + astray(n, frame, at)) * if frame == home { AT_HOME } else { 1.0 }
+                let place = priced[n][frame][place];
+                let Some(anchor) = frames[frame].spots[n].map(Spot::anchor) else { return place.cost };
+                let own = Standing::new(place, anchor, halves[n]);
+                let others: f64 = others[frame].iter().map(|other| own.beside(other)).sum();
+                let astray = if own.tie.is_some() { 0.0 } else { astray(n, frame, own.at) };
+                (place.cost + others + astray) * if frame == home { AT_HOME } else { 1.0 }
             };
             chosen[n] = least(&priced[n], cost, cyclic);
         }
     }
-    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic, glide, home)).collect()
+    let mut ways: Vec<Vec<Vec2>> = chosen
+        .iter()
+        .enumerate()
+        .map(|(n, chosen)| gliding(&priced[n], chosen, cyclic, glide, home))
+        .collect();
+    if ties {
+        give_way(&mut ways, &halves, (frames, &ink), course);
+    }
+    ways
+}
+
+/// Where a name that glides would pass through another it goes round that, as fast as it may glide: the cheapest way near its
+/// own, told by steps of a grid off it, and back on its own soon after.
+fn give_way(
+    ways: &mut [Vec<Vec2>],
+    halves: &[Vec2],
+    (frames, ink): (&[Frame], &[Obstacles]),
+    course: Course,
+) {
+    /// A name goes no further off its way than so many steps.
+    const STEPS: i32 = 5;
+    /// It leaves its way so many frames before it would meet another, and is back so many after.
+    const AROUND: usize = 8;
+    /// What a step and a millimetre off its way cost.
+    const STEP: f64 = 1.5;
+    const OFF: f64 = 0.6;
+    /// To be struck through for a while is better than to be left out.
+    const STRUCK: f64 = 120.0;
+    /// Each name gives way so often.
+    const ROUNDS: usize = 2;
+    /// Of what is counted in floating-point numbers.
+    const EXACT: f64 = 1e-9;
+    let Course { cyclic, glide, home, shown, .. } = course;
+    let (count, side) = (frames.len(), 2 * STEPS + 1);
+    if count < 2 || glide <= 0.0 {
+        return;
+    }
+    let standing = |n: usize, frame: usize, by: Vec2| {
+        let spot = frames[frame].spots[n]?;
+        Some(Standing::new(Priced { by, cost: 0.0, tie: tie(spot, halves[n], by) }, spot.anchor(), halves[n]))
+    };
+    let on_its_way = side * side / 2;
+    let offset = |k: i32| [k % side - STEPS, k / side - STEPS];
+    let off = |k: i32| {
+        let [i, j] = offset(k);
+        Vec2::new(f64::from(i), f64::from(j)) * glide
+    };
+    let states = usize::try_from(side * side).unwrap_or(0);
+    // From home round to home, or from end to end.
+    let order: Vec<usize> =
+        if cyclic { (0..=count).map(|i| (home + i) % count).collect() } else { (0..count).collect() };
+    for n in (0..ROUNDS).flat_map(|_| (0..halves.len()).rev()) {
+        let others: Vec<Vec<Standing>> = (0..count)
+            .map(|f| {
+                (0..halves.len()).filter(|m| *m != n).filter_map(|m| standing(m, f, ways[m][f])).collect()
+            })
+            .collect();
+        let meets = |f: usize| {
+            let own = standing(n, f, ways[n][f]);
+            own.is_some_and(|own| others[f].iter().any(|other| own.meets(other)))
+        };
+        let met: Vec<usize> = (0..count).filter(|f| meets(*f)).collect();
+        if met.is_empty() {
+            continue;
+        }
+        let is_near = |f: usize, g: usize| frames_apart(f, g, count, cyclic) <= AROUND as f64;
+        let may_leave: Vec<bool> =
+            (0..count).map(|f| f != home && met.iter().any(|g| is_near(f, *g))).collect();
+        let price = |f: usize, by: Vec2| {
+            let Some(own) = standing(n, f, by) else { return 0.0 };
+            let space = Rect::from_center_size(own.at, (2.0 * own.half.x, 2.0 * own.half.y));
+            let struck = ink[f].cost_up_to(space, STRUCK).min(STRUCK);
+            let beyond = if shown.contains_rect(space) { 0.0 } else { BEYOND };
+            let long = own.tie.map_or(0.0, |(from, to)| TIE * from.distance(to));
+            others[f].iter().map(|other| own.beside(other)).sum::<f64>() + struck + beyond + long
+        };
+        let mut sums: Vec<f64> = Vec::new();
+        let mut back: Vec<Vec<i32>> = Vec::with_capacity(order.len());
+        for (i, &f) in order.iter().enumerate() {
+            let mut next = vec![f64::INFINITY; states];
+            let mut from = vec![on_its_way; states];
+            let way = if i > 0 { ways[n][f] - ways[n][order[i - 1]] } else { Vec2::ZERO };
+            for (k, index) in (0..side * side).zip(0..states) {
+                if !may_leave[f] && k != on_its_way {
+                    continue;
+                }
+                let [a, b] = offset(k);
+                let mut best = if i == 0 && k == on_its_way { 0.0 } else { f64::INFINITY };
+                for (x, y) in (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))).filter(|_| i > 0) {
+                    let (u, v) = (a - x + STEPS, b - y + STEPS);
+                    let goes = way + Vec2::new(f64::from(x), f64::from(y)) * glide;
+                    if (0..side).contains(&u)
+                        && (0..side).contains(&v)
+                        && goes.x.abs().max(goes.y.abs()) <= glide + EXACT
+                        && let Some(sum) =
+                            usize::try_from(v * side + u).ok().and_then(|other| sums.get(other))
+                    {
+                        let sum = sum + STEP * f64::from(x.abs() + y.abs());
+                        if sum < best {
+                            (best, from[index]) = (sum, v * side + u);
+                        }
+                    }
+                }
+                if best.is_finite() {
+                    let by = off(k);
+                    let own = if may_leave[f] { price(f, ways[n][f] + by) } else { 0.0 };
+                    next[index] = best + own + OFF * by.hypot();
+                }
+            }
+            sums = next;
+            back.push(from);
+        }
+        let least = (0..side * side).zip(&sums).min_by(|a, b| a.1.total_cmp(b.1));
+        let Some((mut k, _)) = least.filter(|(_, sum)| sum.is_finite()) else { continue };
+        for (i, &f) in order.iter().enumerate().rev() {
+            // Round a course the first frame is the last one, on its way.
+            if i > 0 || !cyclic {
+                ways[n][f] += off(k);
+            }
+            k = usize::try_from(k).ok().and_then(|k| back[i].get(k)).copied().unwrap_or(on_its_way);
+        }
+    }
+}
+
+/// A name in its place.
+#[derive(Debug, Clone, Copy)]
+struct Standing {
+    at: Point,
+    half: Vec2,
+    tie: Option<(Point, Point)>,
+    /// What it costs nothing to stay out of.
+    reach: Rect,
+}
+
+impl Standing {
+    fn new(place: Priced, anchor: Point, half: Vec2) -> Self {
+        let tie = place.tie.map(|(from, to)| (anchor + from, anchor + to));
+        let at = anchor + place.by;
+        let own = Rect::from_center_size(at, (2.0 * half.x, 2.0 * half.y)).inflate(CLEAR, CLEAR);
+        let reach = tie.map_or(own, |(from, to)| own.union_pt(from).union_pt(to));
+        Self { at, half, tie, reach }
+    }
+
+    /// Whether one name stands in the other, or in the way of its line.
+    fn meets(&self, other: &Self) -> bool {
+        self.beside(other) >= IN_A_TIE
+    }
+
+    /// What two names cost each other.
+    fn beside(&self, other: &Self) -> f64 {
+        if !self.reach.overlaps(other.reach) {
+            return 0.0;
+        }
+        let mut cost = beside(self.at - other.at, self.half + other.half);
+        let across = |tie: Option<(Point, Point)>, own: &Self| {
+            let hit = |(from, to)| {
+                let own = Rect::from_center_size(own.at, (2.0 * own.half.x, 2.0 * own.half.y));
+                clip(from, to, own.inflate(0.3, 0.3)).is_some()
+            };
+            if tie.is_some_and(hit) { IN_A_TIE } else { 0.0 }
+        };
+        cost += across(self.tie, other) + across(other.tie, self);
+        if let (Some((a, b)), Some((c, d))) = (self.tie, other.tie)
+            && crossing(a, b, c, d)
+        {
+            cost += TIES_CROSS;
+        }
+        cost
+    }
 }
 
 /// The way of a name through its places: before and after a change it glides, along either axis by no more than `glide`
 /// from frame to frame. Where there is no name it stays, or is on its way to where it comes back. In the frame `home` it is not
 /// on its way: it leaves its place there late enough, and is back early enough.
 fn gliding(
-    priced: &[Vec<(Vec2, f64)>],
+    priced: &[Vec<Priced>],
     chosen: &[Option<usize>],
     cyclic: bool,
     glide: f64,
@@ -709,7 +947,7 @@ fn gliding(
         .iter()
         .zip(priced)
         .map(|(place, places)| {
-            last = place.and_then(|place| places.get(place)).map_or(last, |(by, _)| *by);
+            last = place.and_then(|place| places.get(place)).map_or(last, |place| place.by);
             last
         })
         .collect();
@@ -745,8 +983,6 @@ fn slowed(way: &[Vec2], cyclic: bool, most: f64) -> Vec<Vec2> {
 
 /// What two boxes cost each other, by the way between their middles and the sum of their halves.
 fn beside(way: Vec2, halves: Vec2) -> f64 {
-    /// Clear space between names.
-    const CLEAR: f64 = 0.8;
     let (x, y) = (halves.x - way.x.abs(), halves.y - way.y.abs());
     if x > 0.0 && y > 0.0 {
         300.0 + 100.0 * x.min(y)
@@ -759,13 +995,15 @@ fn beside(way: Vec2, halves: Vec2) -> f64 {
 
 /// Where a name may stand, from its anchor, with what that costs as a matter of taste. The order is the same in every
 /// frame of a name.
-fn places(name: &Name, half: Vec2, spot: Spot) -> Vec<(Vec2, f64)> {
+fn places(name: &Name, half: Vec2, spot: Spot, ties: bool) -> Vec<(Vec2, f64)> {
     const WAYS: u32 = 16;
-    let around = |radius: f64, gaps: &[f64], dear: f64| {
+    /// Rings about the middle in which a name is tied, mm; so many ways, and dearer by so much than beside it.
+    const FAR: ([f64; 3], u32, f64) = ([6.5, 11.0, 17.5], 12, 10.0);
+    let around_by = |ways: u32, radius: f64, gaps: &[f64], dear: f64| {
         let mut all = Vec::new();
         for (ring, gap) in gaps.iter().enumerate() {
-            for k in 0..WAYS {
-                let (sin, cos) = libm::sincos(f64::from(k) * (std::f64::consts::TAU / f64::from(WAYS)));
+            for k in 0..ways {
+                let (sin, cos) = libm::sincos(f64::from(k) * (std::f64::consts::TAU / f64::from(ways)));
                 let side = |half: f64, c: f64| half * (c * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
                 let reach = radius + gap;
                 let by = Vec2::new(reach * cos + side(half.x, cos), -reach * sin - side(half.y, sin));
@@ -774,40 +1012,40 @@ fn places(name: &Name, half: Vec2, spot: Spot) -> Vec<(Vec2, f64)> {
         }
         all
     };
-    match spot {
+    let around = |radius: f64, gaps: &[f64], dear: f64| around_by(WAYS, radius, gaps, dear);
+    let far = if ties { around_by(FAR.1, 0.5, &FAR.0, FAR.2) } else { Vec::new() };
+    let mut all = match spot {
+        Spot::Point(_) if ties => around(name.radius(), &[0.7, 1.8], 0.0),
         Spot::Point(_) => around(name.radius(), &[0.7, 1.8, 3.4], 0.0),
         Spot::Stroke(from, to) => {
             let d = to - from;
             let length = d.hypot();
-            if length < 1e-6 {
-                return around(0.5, &[0.7, 1.8, 3.4], 0.0);
-            }
-            let normal = Vec2::new(d.y, -d.x) / length;
+            // A stroke of no length has its name as if it lay.
+            let along = if length < 1e-6 { Vec2::new(1.0, 0.0) } else { d / length };
+            let normal = Vec2::new(along.y, -along.x);
             let reach = (normal.x * half.x).abs() + (normal.y * half.y).abs();
             let reach = if name.request.ring.is_some() { half.x } else { reach };
             let mut all = Vec::new();
-            for (i, t) in [0.0, -0.12, 0.12, -0.25, 0.25].into_iter().enumerate() {
+            for (i, t) in [0.0, -0.12, 0.12, -0.25, 0.25, -0.38, 0.38].into_iter().enumerate() {
                 for side in [1.0, -1.0] {
                     for (ring, gap) in [0.9, 2.4].into_iter().enumerate() {
                         let aside = (t * length).clamp(-MOST_ASIDE, MOST_ASIDE);
-                        let by = d * (aside / length) + normal * (side * (reach + gap));
+                        let by = along * aside + normal * (side * (reach + gap));
                         all.push((by, 0.8 * i as f64 + 3.0 * ring as f64));
                     }
                 }
             }
             // Where the stroke is short or crowded.
-            all.extend(around(0.5, &[3.0, 5.5], 8.0));
+            all.extend(around(0.5, if ties { &[3.0] } else { &[3.0, 5.5] }, 8.0));
             all
         }
-    }
+    };
+    all.extend(far);
+    all
 }
 
 /// The sequence of places that costs least, by dynamic programming; a cyclic one begins where it ends.
-fn least(
-    priced: &[Vec<(Vec2, f64)>],
-    cost: impl Fn(usize, usize) -> f64,
-    cyclic: bool,
-) -> Vec<Option<usize>> {
+fn least(priced: &[Vec<Priced>], cost: impl Fn(usize, usize) -> f64, cyclic: bool) -> Vec<Option<usize>> {
     // Frames in which there is no such name part the course.
     let mut chosen: Vec<Option<usize>> = vec![None; priced.len()];
     let whole = priced.iter().all(|places| !places.is_empty());
@@ -843,7 +1081,7 @@ fn least(
 }
 
 fn sequence(
-    priced: &[Vec<(Vec2, f64)>],
+    priced: &[Vec<Priced>],
     frames: std::ops::Range<usize>,
     cost: &impl Fn(usize, usize) -> f64,
     held: Option<(usize, usize)>,
@@ -853,7 +1091,7 @@ fn sequence(
 
 /// The cheapest way through these frames; `held`: the places in the first and in the last of them.
 fn path(
-    priced: &[Vec<(Vec2, f64)>],
+    priced: &[Vec<Priced>],
     frames: &[usize],
     cost: &impl Fn(usize, usize) -> f64,
     held: Option<(usize, usize)>,
@@ -875,20 +1113,22 @@ fn path(
             continue;
         }
         let before = &priced[frames[i - 1]];
+        let mut cheapest_first: Vec<usize> = (0..sums.len()).collect();
+        cheapest_first.sort_by(|a, b| sums[*a].total_cmp(&sums[*b]));
         let (mut next, mut from) = (Vec::with_capacity(places.len()), Vec::with_capacity(places.len()));
-        for (place, (by, _)) in places.iter().enumerate() {
+        for (place, Priced { by, .. }) in places.iter().enumerate() {
             // Of one place in two frames only the ink has moved: no change.
-            let change = |other: usize| {
-                if other == place {
-                    0.0
-                } else {
-                    (CHANGE * (*by - before[other].0).hypot2()).min(MOST_CHANGE)
+            let mut best = (place, sums.get(place).copied().unwrap_or(f64::INFINITY));
+            for &other in &cheapest_first {
+                if sums[other] >= best.1 {
+                    break;
                 }
-            };
-            let best = (0..before.len())
-                .map(|other| (other, sums[other] + change(other)))
-                .min_by(|a, b| a.1.total_cmp(&b.1))
-                .unwrap_or((0, 0.0));
+                let far = (*by - before[other].by).hypot2();
+                let change = (CHANGE * far).min(FAR_CHANGE.0 + FAR_CHANGE.1 * far.sqrt());
+                if sums[other] + change < best.1 {
+                    best = (other, sums[other] + change);
+                }
+            }
             next.push(best.1 + own[place]);
             from.push(best.0);
         }

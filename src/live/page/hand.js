@@ -18,9 +18,7 @@ const PARTS = 8;
 
 /** How far a point is from a stroke. */
 function offStroke(/** @type {any} */ point, /** @type {any} */ from, /** @type {any} */ to) {
-  const d = minus(to, from), n = d.x * d.x + d.y * d.y, own = minus(point, from);
-  const part = n > 0 ? Math.min(1, Math.max(0, (own.x * d.x + own.y * d.y) / n)) : 0;
-  return sizeOf(minus(point, plus(from, d, part)));
+  return sizeOf(minus(point, nearestOn(point, from, to)));
 }
 
 /** @param {Page} page @param {() => void} halt stops the playing */

@@ -2,6 +2,14 @@
 
 const PAST = 4;
 const NEAR = 0.05;
+/** Boxes of names reach into each other by no more than this, mm. */
+const INTO = 0.3;
+
+/** The place of a stroke that is nearest to a point, off its ends by some part of it. */
+function nearestOn(/** @type {any} */ point, /** @type {any} */ from, /** @type {any} */ to, off = 0) {
+  const d = minus(to, from), own = minus(point, from);
+  return plus(from, d, Math.min(1 - off, Math.max(off, (own.x * d.x + own.y * d.y) / (d.x * d.x + d.y * d.y) || 0)));
+}
 
 /** Six decimals of a millimetre. @param {number} x */
 function mm(x) {
@@ -114,6 +122,12 @@ function partWithin(from, to, [x0, y0, x1, y1]) {
   return begin < end ? [plus(from, way, begin), plus(from, way, end)] : null;
 }
 
+/** The path that ties a name to what it names; nothing where it stands no farther from that than so, mm. */
+function tieOf(/** @type {any} */ { spot: [from, to], half: [wide, high] }, /** @type {number} */ beside) {
+  const way = minus(to, from), part = Math.min(wide / Math.abs(way.x), high / Math.abs(way.y));
+  return (1 - part) * sizeOf(way) >= beside && `M${pair(plus(from, way, part))} L${pair(to)}`;
+}
+
 class Panel {
   /** @param {any} live @param {number} index */
   constructor(live, index) {
@@ -132,7 +146,9 @@ class Panel {
         // Each told by its difference from the one before.
         const by = uncoded(label.by);
         for (let i = 2; i < by.length; i++) by[i] += by[i - 2];
-        return { ...label, by, element: document.getElementById(label.id), last: '' };
+        const element = document.getElementById(label.id), tie = makeInk('path', { class: 'leader', stroke: '#000000', 'stroke-width': '0.13' });
+        element?.before(tie);
+        return { ...label, by, element, tie, last: '' };
       })
       .filter((/** @type {any} */ label) => label.element);
     // The places of the course at which names were placed: equal steps, as far as it goes.
@@ -307,44 +323,42 @@ class Panel {
   /** Puts the names where they were placed in advance. Where a diagram is so small that one would stand in another, the
    * later one is left out, and counted. */
   place(/** @type {any[]} */ seen, /** @type {number} */ at, /** @type {number} */ step, /** @type {(number | null)[]} */ outputs) {
-    const { frames, data: { box: [x0, y0, x1, y1], polygon } } = this;
+    const { frames, data: { box: [x0, y0, x1, y1], polygon, ties } } = this;
     // The frames about the place, and how far it is between them.
-    let low = 0, next = frames.length - 1;
-    while (next - low > 1) {
-      const middle = (low + next) >> 1;
-      if (frames[middle] <= at) low = middle; else next = middle;
-    }
-    const way = frames[next] - frames[low];
-    let part = way > 0 ? Math.min(1, Math.max(0, (at - frames[low]) / way)) : 0;
+    const low = Math.max(0, frames.findLastIndex((frame) => frame <= at)), next = Math.min(low + 1, frames.length - 1);
+    let part = Math.min(1, Math.max(0, (at - frames[low]) / (frames[next] - frames[low]))) || 0;
     if (this.calm) part = Math.round(part);
     /** Names that stand: middle and half sizes. @type {number[][]} */
     const stand = [];
     this.crowded = 0;
     for (const label of this.labels) {
-      const { anchors: [one, two], by, element, half: [wide, high] } = label;
+      const { anchors: [one, two], by, element, tie, half: [wide, high] } = label;
       let a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
       // Next to a limit a vector is metres long: its name stands by what is seen of it.
       if (two && polygon && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
-      let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || Boolean(outputs[label.output]));
-      if (shown) shown = two ? !polygon || sizeOf(minus(b, a)) >= 4 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1;
+      let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || outputs[label.output])
+        && (two ? !polygon || sizeOf(minus(b, a)) >= 1 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1);
       label.spot = null;
-      if (!shown) {
-        visible(element, false);
-        continue;
+      if (shown) {
+        const middle = two ? plus(a, minus(b, a), 0.5) : a;
+        const off = (/** @type {number} */ axis) => (by[2 * low + axis] * (1 - part) + by[2 * next + axis] * part) / 10;
+        const x = middle.x + off(0), y = middle.y + off(1);
+        shown = !stand.some(([u, v, w, h]) => wide + w - Math.abs(x - u) > INTO && high + h - Math.abs(y - v) > INTO);
+        if (shown) {
+          stand.push([x, y, wide, high]);
+          // At the ends of a stroke others begin.
+          label.spot = [{ x, y }, nearestOn({ x, y }, a, b, 0.1)];
+          const text = `translate(${x.toFixed(3)} ${y.toFixed(3)})`;
+          if (text !== label.last) element.setAttribute('transform', text);
+          label.last = text;
+        } else this.crowded += 1;
       }
-      const middle = two ? plus(a, minus(b, a), 0.5) : a;
-      const x = middle.x + (by[2 * low] * (1 - part) + by[2 * next] * part) / 10, y = middle.y + (by[2 * low + 1] * (1 - part) + by[2 * next + 1] * part) / 10;
-      const isFree = !stand.some((other) => wide + other[2] - Math.abs(x - other[0]) > 0 && high + other[3] - Math.abs(y - other[1]) > 0);
-      visible(element, isFree);
-      if (!isFree) {
-        this.crowded += 1;
-        continue;
-      }
-      stand.push([x, y, wide, high]);
-      label.spot = [{ x, y }, middle];
-      const text = `translate(${x.toFixed(3)} ${y.toFixed(3)})`;
-      if (text !== label.last) element.setAttribute('transform', text);
-      label.last = text;
+      visible(element, Boolean(shown));
+      // In what is given away, names of points are tied wherever they do not stand beside them.
+      const path = label.spot && tieOf(label, this.tells && label.point ? 1 : ties ? 2.6 : Infinity);
+      visible(tie, Boolean(path));
+      if (path && path !== label.path) setPath(tie, path);
+      label.path = path;
     }
   }
 }

@@ -1,20 +1,5 @@
 // What is drawn over a skeleton: lines through points, and circles.
 
-/** The part of a line from a to b that lies in a box, as parts of the way; nothing where none does. */
-function clipped(/** @type {any} */ a, /** @type {any} */ b, /** @type {number[]} */ box) {
-  let from = 0, to = 1;
-  for (const [p, d, low, high] of [[a.x, b.x - a.x, box[0], box[2]], [a.y, b.y - a.y, box[1], box[3]]]) {
-    if (d === 0) {
-      if (p < low || p > high) return null;
-      continue;
-    }
-    const [one, other] = [(low - p) / d, (high - p) / d];
-    from = Math.max(from, Math.min(one, other));
-    to = Math.min(to, Math.max(one, other));
-  }
-  return from < to ? [from, to] : null;
-}
-
 /** A line through all of its points that are known, a little past the outermost of those on the panel; where it goes on to one that is not, to the border with an arrow. @param {any} ink @param {any[]} seen */
 Panel.prototype.moveThrough = function moveThrough(ink, seen) {
   const points = ink.at.map((/** @type {any} */ p) => globalOf(p[0], p[1], seen)).filter(Boolean);
@@ -30,9 +15,9 @@ Panel.prototype.moveThrough = function moveThrough(ink, seen) {
   const ways = points.map((/** @type {any} */ p) => (p.x - near.x) * u.x + (p.y - near.y) * u.y);
   const along = (/** @type {number} */ way) => plus(near, u, way);
   const reach = 2 * (x1 - x0 + y1 - y0) + off(near, middle);
-  const cut = clipped(along(-reach), along(reach), this.data.box);
+  const cut = partWithin(along(-reach), along(reach), this.data.box);
   if (!cut) return false;
-  const [low, high] = cut.map((part) => (2 * part - 1) * reach);
+  const [low, high] = cut.map((at) => (at.x - near.x) * u.x + (at.y - near.y) * u.y);
   const from = Math.max(low, Math.min(...ways) - PAST), to = Math.min(high, Math.max(...ways) + PAST);
   if (!(from < to)) return false;
   let path = `M${pair(along(from))} L${pair(along(to))}`;

@@ -1,31 +1,20 @@
 // What the page gives away: drawings, the table of numbers, the address of the position.
 
-/** A name that is no farther from its point stands beside it, mm. */
-const BESIDE = 1;
-
 /** The coordinate that a number is, of several. */
 function axisOf(/** @type {number[]} */ outputs, /** @type {number} */ axis) {
   return outputs.length === 2 ? ['.x', '.y'][axis] : '';
 }
 
-/** Fine strokes that tie the names of points to them, where they do not stand beside them: whoever reads the drawing need not guess. @param {Panel} panel */
-function leaders(panel) {
-  const all = makeInk('g', { class: 'leaders' });
-  for (const { spot, point, half: [wide, high] } of panel.labels) {
-    if (!spot || !point) continue;
-    const [from, to] = spot, way = minus(to, from), part = Math.min(wide / Math.abs(way.x), high / Math.abs(way.y));
-    if ((1 - part) * sizeOf(way) < BESIDE) continue;
-    all.append(makeInk('path', { class: 'leader', d: `M${pair(plus(from, way, part))} L${pair(to)}`, stroke: '#000000', 'stroke-width': '0.13' }));
-  }
-  return all;
-}
-
 /** One drawing, the panels below each other. @param {Page} page */
 function drawings(page) {
+  const { panels } = page;
+  // Whoever reads it need not guess which name is whose.
+  for (const panel of panels) panel.tells = true;
   page.draw(true);
-  const all = makeInk('svg', { 'stroke-linejoin': 'round', 'font-family': page.panels[0].svg.getAttribute('font-family') || '' });
+  const all = makeInk('svg', { 'stroke-linejoin': 'round', 'font-family': panels[0].svg.getAttribute('font-family') || '' });
   let down = 0, across = 0;
-  for (const panel of page.panels) {
+  for (const panel of panels) {
+    panel.tells = false;
     const copy = /** @type {Element} */ (panel.svg.cloneNode(true));
     copy.querySelectorAll('.grips, .reach, .cut, .beside, .way, .stop, [visibility=hidden]').forEach((own) => own.remove());
     copy.querySelectorAll('[class=""]').forEach((own) => own.removeAttribute('class'));
@@ -33,16 +22,17 @@ function drawings(page) {
     const group = makeInk('g', { transform: `translate(${mm(-x)} ${mm(down - y)})` });
     group.append(...copy.childNodes);
     const own = group.querySelector('g');
-    group.append(leaders(panel));
     if (own) having(own, { 'data-si-per-mm': String(panel.siPerMm), 'data-at': page.exact() });
-    // What it is, at which scale and where: polygons without a scale are none.
-    const said = ['title', 'scale'].map((id) => byId(`${id}${panel.index}`).textContent).filter(Boolean).join('  ');
+    // What it is, at which scale and where, each in its own direction: polygons without a scale are none.
+    const said = ['title', 'scale'].map((id) => byId(`${id}${panel.index}`).textContent);
+    if (!panel.data.polygon) said.push(page.inUnit(page.at));
     const caption = makeInk('text', { x: '2', y: mm(down + height + 3), 'font-size': '3.5' });
-    setText(caption, `${said}${panel.data.polygon ? '' : `  ${page.inUnit(page.at)}`}`);
+    setText(caption, said.filter(Boolean).map((part) => `\u2068${part}\u2069`).join(' · '));
     all.append(group, caption);
     down += height + 6;
     across = Math.max(across, width);
   }
+  page.draw(true);
   having(all, { width: `${mm(across)}mm`, height: `${mm(down)}mm`, viewBox: `0 0 ${mm(across)} ${mm(down)}` });
   return new XMLSerializer().serializeToString(all);
 }
@@ -60,7 +50,7 @@ function csv(page) {
   for (const { name, outputs, unit: own, si, sized } of page.rows) {
     const put = (/** @type {string} */ part, /** @type {string} */ inUnit, /** @type {number | null} */ value) => {
       head.push(`${name}${part} [${plainUnit(inUnit)}]`);
-      line.push(value === null ? '' : String(value));
+      line.push(value === null ? '' : Object.is(value, -0) ? '-0' : String(value));
     };
     const [x, y] = outputs.map((/** @type {number} */ output) => page.outputs[output]);
     outputs.forEach((/** @type {number} */ _, /** @type {number} */ axis) => {
