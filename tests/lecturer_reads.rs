@@ -260,6 +260,8 @@ fn the_diameter_of_a_wheel_for_its_radius_is_named() {
 fn a_weight_that_was_divided_by_g_is_not_left_out() {
     let (mut scene, [.., guide]) = engine(900.0);
     scene["find"] = json!(["F(1,4)"]);
+    // So slow that nothing but the weight counts.
+    scene["input"]["omega"] = json!("0.001 rad/s ccw");
     let own = |weight: f64| json!({ "values": { "F(1,4)": vector([0.0, guide + weight], "N") } });
     let right = graded(&read(&scene), &own(900.0));
     assert!(right.quantities.iter().all(|one| one.verdict == Verdict::Right), "{}", right.to_text());

@@ -108,8 +108,6 @@ pub struct Request {
 pub struct Piece {
     /// The name, with what parts it from the one before it.
     pub text: Rich,
-    /// The same with what parts it from the one after it, where they run towards their point.
-    pub reversed: Rich,
     /// What it names.
     pub names: Vec<String>,
     /// When it came onto the paper.
@@ -138,11 +136,8 @@ pub fn pieces(names: Vec<(Rich, Vec<String>, Life)>, separator: &Rich) -> Vec<Pi
     }
     let piece = |(k, (texts, names, life)): (usize, (Vec<Rich>, Vec<String>, Life))| {
         let text = Rich::join(&texts, separator);
-        let [text, reversed] = match k {
-            0 => [text.clone(), text],
-            _ => [separator.clone().then(&text), text.then(separator)],
-        };
-        Piece { text, reversed, names, life }
+        let text = if k == 0 { text } else { separator.clone().then(&text) };
+        Piece { text, names, life }
     };
     all.into_iter().enumerate().map(piece).collect()
 }
@@ -196,6 +191,16 @@ impl Request {
             stroke: None,
             tie: None,
         }
+    }
+
+    /// The same of names that came onto the paper one after the other, in that order.
+    #[must_use]
+    pub fn in_pieces(mut self, pieces: Vec<Piece>) -> Self {
+        if let [first, others @ ..] = &pieces[..] {
+            self.text = others.iter().fold(first.text.clone(), |text, piece| text.then(&piece.text));
+        }
+        self.pieces = pieces;
+        self
     }
 }
 
@@ -622,11 +627,7 @@ pub fn place_among(group: &Group, requests: &[Request], within: Option<Rect>, ot
         let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
         let at = bodies[i].start(candidate.centre);
         if !request.pieces.is_empty() {
-            let leftward = match request.sites.get(candidate.site) {
-                Some(Site::Around { at: point, .. }) => bodies[i].line.ink_at(at).x1 < point.x,
-                _ => false,
-            };
-            put_pieces(&mut out, request, at, candidate.leader, leftward);
+            put_pieces(&mut out, request, at, candidate.leader);
             continue;
         }
         let mut own = match request.names.as_slice() {
@@ -651,21 +652,16 @@ pub fn place_among(group: &Group, requests: &[Request], within: Option<Rect>, ot
     out
 }
 
-/// A name in its pieces, each a group of its own: what came first stands next to the point that they name.
-fn put_pieces(out: &mut Group, request: &Request, at: Point, leader: Option<(Point, Point)>, leftward: bool) {
+/// A name in its pieces, each a group of its own, where the whole stands.
+fn put_pieces(out: &mut Group, request: &Request, at: Point, leader: Option<(Point, Point)>) {
     let first = request.pieces.first().map(|piece| piece.life.born);
-    let mut order: Vec<&Piece> = request.pieces.iter().collect();
-    if leftward {
-        order.reverse();
-    }
     let mut pen = at;
-    for piece in order {
+    for piece in &request.pieces {
         let mut own = Group::new("name").data("of", piece.names.join(" ")).lived(Some(piece.life));
         if let Some((from, to)) = leader.filter(|_| Some(piece.life.born) == first) {
             own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
         }
-        let text = if leftward { &piece.reversed } else { &piece.text };
-        let line = text.set(request.size);
+        let line = piece.text.set(request.size);
         line.put(&mut own, pen, request.class);
         pen.x += line.width;
         out.group(own);

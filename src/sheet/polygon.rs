@@ -466,7 +466,7 @@ fn labels(
                     None => own.push((name, vec![of], born.into())),
                 }
             }
-            request.pieces = labels::pieces(own, &Rich::upright(","));
+            request = request.in_pieces(labels::pieces(own, &Rich::upright(",")));
         }
         request.leader = true;
         request.strict = true;
@@ -537,7 +537,7 @@ fn labels(
         let apart = own.names.iter().zip(&own.of);
         let apart = apart.map(|(name, (of, life))| life.map(|life| (name.clone(), of.clone(), life)));
         if let Some(apart) = apart.collect() {
-            request.pieces = labels::pieces(apart, &Rich::upright(sign));
+            request = request.in_pieces(labels::pieces(apart, &Rich::upright(sign)));
         }
         request.sites.extend(sites);
         request.strict = true;
