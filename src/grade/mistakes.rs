@@ -1173,14 +1173,10 @@ impl<'c> List<'c, '_> {
     /// on the unit of length: that of the scene or of an answer is the likelier one.
     fn squares_forgotten(&self, speed: f64, length: f64) -> Vec<(Phrase, f64, f64)> {
         let of_answers = self.case.observations.iter().filter_map(|observation| {
-            let order = observation.quantity.as_ref()?.order();
+            let vector = observation.quantity.filter(super::answers::is_vector)?;
             let time = self.case.scene.units.time.si;
-            let time = if order == Order::Acceleration { time * time } else { time };
-            observation
-                .quantity
-                .as_ref()
-                .is_some_and(super::answers::is_vector)
-                .then(|| observation.unit.si * time)
+            let time = if vector.order() == Order::Acceleration { time * time } else { time };
+            Some(observation.unit.si * time)
         });
         let mut units: Vec<(f64, f64)> = Vec::new();
         let likely = [self.case.scene.units.length.si].into_iter().chain(of_answers).map(|unit| (unit, 0.5));

@@ -570,7 +570,7 @@ impl Teller<'_> {
                 };
                 let told = Rich::fill(template, &[guide, link, ("place", place), angle]);
                 match (frame, through) {
-                    (false, GuidePoint::Own(_)) => self.from_own_axes(slide.guide.link, told),
+                    (false, GuidePoint::Own(_)) => self.by_own_axes(slide.guide.link, told),
                     _ => told,
                 }
             }
@@ -772,7 +772,7 @@ impl Teller<'_> {
             };
             let (place, angle) = (("place", place_of(through, self.n)), ("angle", as_written(own, self.n)));
             let told = Rich::fill(template, &[wheel, radius, link, place, angle]);
-            let told = if alone { told } else { self.from_own_axes(guide.link, told) };
+            let told = if alone { told } else { self.by_own_axes(guide.link, told) };
             return self.offset(told, offset.value);
         };
         let told = Rich::fill(words.given_rack_line, &[wheel, radius, ("line", line), link]);
@@ -787,7 +787,7 @@ impl Teller<'_> {
     }
 
     /// Own places or angles of a link with a length, and from where they are measured.
-    fn from_own_axes(&self, link: LinkId, places: Rich) -> Rich {
+    fn by_own_axes(&self, link: LinkId, places: Rich) -> Rich {
         let Some(line) = self.own_line(link) else { return places };
         let from = self.n.mechanism().link(link).points.first().map(|p| self.n.point(*p)).unwrap_or_default();
         Rich::fill(self.n.words.given_own_place, &[("places", places), ("from", from), ("line", line)])
