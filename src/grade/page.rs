@@ -18,6 +18,7 @@ th{text-align:start;border-bottom:1.5px solid #111}\
 td{border-bottom:.5px solid #999;vertical-align:top}\
 th,td{padding-block:.2em;padding-inline:0 .6em}\
 th.n,td.n{text-align:end;white-space:nowrap}\
+td:first-child:not([colspan]){white-space:nowrap}\
 tr.wrong td:first-child::before{content:'\u{2717} '}\
 tr.right td:first-child::before{content:'\u{2713} '}\
 tr.consistent td:first-child::before{content:'\u{21b3} '}\
