@@ -440,7 +440,8 @@ test('names of arrows are there, and stay', async () => {
     await page.close();
     for (const [id, { arrows, unnamed, switched, counted }] of Object.entries(found)) {
       if (arrows === 0) continue;
-      assert.ok(unnamed <= 0.1 * arrows, `${scene} ${id}: ${unnamed} of ${arrows} arrows have no name`);
+      // Four links name all but what is seen in passing; of a press, which crowds at its dead centres, a few more are left out.
+      assert.ok(unnamed <= (scene === four ? 0.01 : 0.1) * arrows, `${scene} ${id}: ${unnamed} of ${arrows} arrows have no name`);
       assert.ok(switched <= 0.03 * arrows, `${scene} ${id}: names come and go ${switched} times at ${arrows} arrows`);
       // A name that is left out is told of.
       assert.ok(counted >= 0.9 * unnamed, `${scene} ${id}: ${unnamed} arrows have no name, the captions tell of ${counted}`);
