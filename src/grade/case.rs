@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
-use super::change::{Change, InputChange, Misreading, Stray, Which};
+use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::force_mistakes::same as same_force;
 use super::phrase::{Phrase, say};
 use super::symbols::Symbols;
@@ -1083,6 +1083,21 @@ impl<'s> Case<'s> {
         Some([vector.to, image].map(|at| at.map(|mm| mm * self.si_per_mm(order))))
     }
 
+    /// The direction that an answer has, if degrees that were read within its room were typed into a calculator in radians: it
+    /// makes 57 times as much of what the reading is off. That many answers have such directions is no chance.
+    fn typed_as_read(&self, observation: &Observation, of: Which, how: InRadians, right: f64) -> Option<f64> {
+        let among = |one: &&Observation| matches!((one.given, one.quantity), (Given::Vector(_), Some(quantity)) if self.includes(of, &quantity));
+        let (true, Given::Vector([x, y])) = (how.typed, observation.given) else { return None };
+        if self.observations.iter().filter(among).count() < TYPED {
+            return None;
+        }
+        let index = self.observations.iter().position(|one| one.name == observation.name)?;
+        let room = self.rooms.get(index)?.turn.to_degrees().min(MOST_TYPED);
+        let own = libm::atan2(y, x);
+        let off = libm::remainder(own - how.spoilt(right), 2.0 * std::f64::consts::PI);
+        (off.abs() <= room).then_some(own)
+    }
+
     fn misread(&self, observation: &Observation, reading: Misreading, numbers: &mut [f64]) {
         if let (Target::Image(order, _), Misreading::Enlarged { order: of, factor }) =
             (observation.target, reading)
@@ -1105,7 +1120,9 @@ impl<'s> Case<'s> {
             if self.includes(of, &quantity)
                 && let [x, y] = numbers
             {
-                let (length, angle) = (libm::hypot(*x, *y), how.spoilt(libm::atan2(*y, *x)));
+                let (length, right) = (libm::hypot(*x, *y), libm::atan2(*y, *x));
+                let angle =
+                    self.typed_as_read(observation, of, how, right).unwrap_or_else(|| how.spoilt(right));
                 [*x, *y] = [length * libm::cos(angle), length * libm::sin(angle)];
             }
             return;
@@ -1773,6 +1790,10 @@ const LEGIBLE: f64 = 1e-3;
 
 /// The sine of the flattest crossing at which a pencil still finds a point.
 const FLAT: f64 = 0.05;
+/// So many directions at least were typed into a calculator, if what they were read off by is made so much of.
+const TYPED: usize = 4;
+/// Of the 6.28° between two degrees with one sine and cosine in radians a third, so that four are met by chance in 1 of 80.
+const MOST_TYPED: f64 = 1.0;
 
 /// The direction that a line claims to have.
 pub(super) fn claimed(construction: &Construction, claim: Claim) -> Option<[f64; 2]> {

@@ -430,7 +430,30 @@ impl Judge<'_, '_> {
     /// Whether what is said of a whole diagram, of all parts of a kind or of a factor that was found by fitting is at odds with
     /// an answer that is right.
     fn contradicts(&self, tried: &Tried) -> bool {
-        let harmed = |i: usize| self.verdicts[i] == Some(Verdict::Right) && tried.misses[i] > EXPLAINED;
+        let at = &tried.hypothesis.at;
+        // What is calculated from readings may have been found by another way; by a wrong scale only what is read is harmed.
+        let scaled = matches!(
+            tried.hypothesis.kind,
+            Kind::ScaleWrong | Kind::ScaleForgotten | Kind::ScaleInverted | Kind::ScaleTwice
+        );
+        let orders: &[Order] = match () {
+            () if scaled && *at == say!("the velocities") => &[Order::Velocity],
+            () if scaled && *at == say!("the accelerations") => &[Order::Acceleration],
+            () if scaled && *at == say!("every reading") => &[Order::Velocity, Order::Acceleration],
+            () => &[],
+        };
+        // No scale was used of what is measured on paper.
+        let is_read = |i: usize, order: Order| {
+            let observation = &self.case.observations[i];
+            let read = |quantity: &Quantity| self.case.includes(Which::Read(order), quantity);
+            matches!(observation.target, Target::Asked(_))
+                && !observation.on_paper
+                && observation.quantity.as_ref().is_some_and(read)
+        };
+        let harmed = |i: usize| {
+            let speaks = orders.is_empty() || orders.iter().any(|order| is_read(i, *order));
+            speaks && self.verdicts[i] == Some(Verdict::Right) && tried.misses[i] > EXPLAINED
+        };
         let whole = matches!(
             tried.hypothesis.kind,
             Kind::ScaleWrong | Kind::NormalAwayFromCentre | Kind::NormalNotSquared | Kind::FigureTurned
@@ -438,13 +461,10 @@ impl Judge<'_, '_> {
         // A diagram whose answers are right, and stay so, is not read by another scale.
         let spared = |order: Order| {
             (0..tried.misses.len()).any(|i| {
-                let read = |quantity: &Quantity| self.case.includes(Which::Read(order), quantity);
-                let vector = self.case.observations[i].quantity.as_ref().is_some_and(read);
                 let right = self.verdicts[i] == Some(Verdict::Right) && !self.case.is_zero(i);
-                vector && right && tried.misses[i] <= EXPLAINED
+                is_read(i, order) && right && tried.misses[i] <= EXPLAINED
             })
         };
-        let at = &tried.hypothesis.at;
         let spares = *at == say!("the velocities") && spared(Order::Velocity)
             || *at == say!("the accelerations") && spared(Order::Acceleration);
         spares || (whole || is_of_all(at)) && (0..tried.misses.len()).any(harmed)

@@ -206,7 +206,7 @@ impl<'c> List<'c, '_> {
             .map(|&(input, stated, _)| InputChange::Angle { input, by: stated.to_degrees() - stated });
         let given = Change { inputs: typed.collect(), ..Change::default() };
         if !given.inputs.is_empty() {
-            self.add(kind, say!("the given angle"), None, 1.0, given);
+            self.add(kind, say!("the given angle"), None, PLAIN, given);
         }
         let ways = [true, false]
             .into_iter()
@@ -635,7 +635,8 @@ impl<'c> List<'c, '_> {
                 false => say!("{} stands {} too far counter-clockwise", name, degrees_of(by)),
             };
             let change = Change::of_inputs(InputChange::Angle { input, by });
-            self.add_so((Kind::InputAngle, how), say!("the input"), None, UNUSUAL, change);
+            // Fitted to where the point stands: what says why it stands there is the likelier one.
+            self.add_so((Kind::InputAngle, how), say!("the input"), None, UNUSUAL + 1.0, change);
         }
     }
 
@@ -850,13 +851,14 @@ impl<'c> List<'c, '_> {
             [(Order::Velocity, say!("the velocities")), (Order::Acceleration, say!("the accelerations"))]
         {
             let mut known: Vec<Vec<Quantity>> = Vec::new();
+            let reads = self.observed().iter().any(|of| self.case.includes(Which::Read(order), of));
             let all =
                 [Which::Vectors(order), Which::Read(order), Which::Found(order), Which::Measured(order)];
             for of in all {
                 let mut among = self.observed();
                 among.retain(|quantity| self.case.includes(of, quantity));
-                // Nothing is said of a figure that is answered, and none of whose answers it would change.
-                let told = among.is_empty() && self.case.answers(order);
+                // Nothing is said of a figure off which answers are read, and none of which it would change.
+                let told = among.is_empty() && reads;
                 if !told && !known.contains(&among) {
                     known.push(among);
                     scopes.push((of, order, at.clone()));
@@ -2007,7 +2009,6 @@ impl<'c> List<'c, '_> {
             let Some(vector) = polygon.vectors.iter().find(|v| v.quantity == quantity).copied() else {
                 continue;
             };
-            let length = size(&difference(vector.to, vector.from));
             let mut tails: Vec<(Label, [f64; 2])> = vec![(Label::Pole, [0.0; 2])];
             tails.extend(polygon.images.iter().map(|image| (image.label, image.at)));
             let name = self.name(&quantity);
@@ -2019,11 +2020,12 @@ impl<'c> List<'c, '_> {
                 }
                 tried.push(tail);
                 let read = difference(vector.to, tail);
+                let factor = self.read_factor(&quantity, read, difference(vector.to, vector.from));
                 let from_there = Misreading::MeasuredFrom { of: quantity, tail: label };
                 let how = self.read_for([label, vector.head], &vector, order);
                 self.add_so((Kind::WrongPole, how.clone()), &name, step, 0.5, Change::read(from_there));
-                if length > 0.0 {
-                    let departure = Departure::Read { quantity, factor: size(&read) / length };
+                if let Some(factor) = factor {
+                    let departure = Departure::Read { quantity, factor };
                     let change = Change {
                         departures: vec![departure],
                         readings: vec![from_there],
@@ -2045,8 +2047,8 @@ impl<'c> List<'c, '_> {
                 let how = self.read_for([vector.tail, label], &vector, order);
                 let kind = || (Kind::NeighbourRead, how.clone());
                 self.add_so(kind(), &name, step, price, Change::read(to_there));
-                if length > 0.0 {
-                    let factor = size(&difference(head, vector.from)) / length;
+                let read = difference(head, vector.from);
+                if let Some(factor) = self.read_factor(&quantity, read, difference(vector.to, vector.from)) {
                     let departure = Departure::Read { quantity, factor };
                     let change =
                         Change { departures: vec![departure], readings: vec![to_there], ..Change::default() };
@@ -2054,6 +2056,18 @@ impl<'c> List<'c, '_> {
                 }
             }
         }
+    }
+
+    /// By which factor a vector is misread of which another one was measured: its size, and the other sense where it lies on the
+    /// other side of the link that is turned by it. None of a vector that is nothing.
+    fn read_factor(&self, quantity: &Quantity, read: [f64; 2], own: [f64; 2]) -> Option<f64> {
+        let factor = size(&read) / size(&own);
+        let turns = self.acts().into_iter().any(|(_, act)| {
+            matches!(act, Act::Calculate(Calculation::Omega { quantity: of, .. } | Calculation::Alpha { quantity: of, .. }) if of == quantity)
+        });
+        // Along the link it turns it neither way: the sense is that of the right vector then.
+        let side = (read[0] * own[0] + read[1] * own[1]) / (size(&read) * size(&own));
+        factor.is_finite().then_some(if turns && side < -ALONG { -factor } else { factor })
     }
 
     /// "bc read for oc".
@@ -2242,6 +2256,8 @@ pub(super) fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] * b[1] - a[1] * b[0]).abs() > 0.07
 }
 
+/// A vector whose part across a link is smaller than this part of it is taken to lie along the link.
+const ALONG: f64 = 0.15;
 /// Two factors of one scale that are read off a drawing differ by less than this part.
 const ONE_SCALE: f64 = 0.06;
 

@@ -295,6 +295,26 @@ fn mistakes_are_named() {
     tally.hold(95);
 }
 
+/// Mistakes that campaigns found called otherwise: a scale misread where only rates are handed in of what was read, a
+/// neighbour on the other side of the link, directions that were read and then typed into a calculator in radians, the
+/// given angle in radians.
+#[test]
+fn what_was_missed_is_named() {
+    let folder = Folder::new("missed");
+    for (kind, seed) in [
+        (Kind::ScaleWrong, 601_012),
+        (Kind::ScaleWrong, 601_032),
+        (Kind::ScaleWrong, 601_007),
+        (Kind::NeighbourRead, 601_029),
+        (Kind::CalculatorInRadians, 601_023),
+        (Kind::CalculatorInRadians, 601_024),
+        (Kind::CalculatorInRadians, 601_015),
+    ] {
+        let judgement = grade(&plant(kind, seed), &folder.0);
+        assert_eq!(judgement.first(), kind.name(), "seed {seed}: {:?}", judgement.fault);
+    }
+}
+
 /// The whole campaign, twenty scenes for each kind of mistake, with its confusion matrix.
 #[test]
 #[ignore = "a campaign of some minutes: cargo test --release --test all -- --ignored --nocapture confusion"]
