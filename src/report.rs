@@ -48,6 +48,11 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
             error.to_string(),
             format!("state where {} stands with less room (`within`)", points.join(" and ")),
         ),
+        SolveError::Indeterminate { why: Indeterminate::Unclear, .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            "turn the input away from the dead centre, or compute with more digits (`--arith dd`)".to_owned(),
+        ),
         SolveError::Indeterminate { why: Indeterminate::NoEquilibrium { .. }, .. } => (
             Subject::Scene,
             error.to_string(),

@@ -5,13 +5,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
-use crate::graphical::construction::Reading;
+use crate::graphical::construction::{Act, Calculation, Reading};
 use crate::graphical::cycle::OwnTorque;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::Mechanism;
 use crate::mechanism::cycle::{Cycle, CycleQuantity, Sides};
 use crate::mechanism::force::{Force, Share};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity, Stuck, Unit};
+use crate::mechanism::quantity::{
+    Answer, Asked, Indeterminate, Method, Nature, Order, Quantity, Stuck, Unit,
+};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -212,6 +214,7 @@ fn solve_on(
     };
     open_by_room(&scene.mechanism, &mut solution, exactly);
     unknown_places(&scene.mechanism, &mut solution);
+    unclear_motion(&scene.mechanism, &mut solution);
     unstuck(scene, &structure, &plan, &solution.construction.answers)?;
     turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
@@ -257,6 +260,58 @@ fn unknown_places(mechanism: &Mechanism, solution: &mut Solution) {
         }
     }
 }
+
+/// A velocity or an acceleration whose bound leaves no three digits certain is none: next to a dead centre rounding grows
+/// without limit, and what lies below its bound would be told as zero. Against the rest of its polygon small ones may be
+/// known less well. Rooms that the scene states are its own to say.
+fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
+    let construction = &solution.construction;
+    if construction.rooms {
+        return;
+    }
+    let acts = || construction.steps.iter().flat_map(|step| &step.acts);
+    // A rate is as large as the longest vector makes it over the length by which it is divided.
+    let compared_to = |quantity: &Quantity| match (quantity, quantity.nature()) {
+        (Quantity::Omega(of), _) => acts().find_map(|act| match act {
+            Act::Calculate(Calculation::Omega { link, length, .. }) if link == of => {
+                Some(construction.longest(Order::Velocity) / length)
+            }
+            _ => None,
+        }),
+        (Quantity::Alpha(of), _) => acts().find_map(|act| match act {
+            Act::Calculate(Calculation::Alpha { link, length, .. }) if link == of => {
+                Some(construction.longest(Order::Acceleration) / length)
+            }
+            _ => None,
+        }),
+        (_, Nature::Vector) => match quantity.order() {
+            order @ (Order::Velocity | Order::Acceleration) => Some(construction.longest(order)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_unclear = |(asked, reading): (&Asked, &Reading)| {
+        let (size, bound) = match reading.answer {
+            Answer::Scalar { value, bound } => (value.abs(), bound),
+            Answer::Vector { value: [x, y], bound } => (libm::hypot(x, y), bound),
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return false,
+        };
+        // The cheaper question first: nearly all are clear.
+        bound > CERTAIN * size
+            && compared_to(&asked.quantity).is_some_and(|longest| bound > CERTAIN * SMALL * longest)
+    };
+    let unclear: Vec<bool> = mechanism.asked.iter().zip(&construction.answers).map(is_unclear).collect();
+    for (reading, unclear) in solution.construction.answers.iter_mut().zip(unclear) {
+        if unclear {
+            reading.answer = Answer::Indeterminate(Indeterminate::Unclear);
+        }
+    }
+}
+
+/// Three digits are certain.
+const CERTAIN: f64 = 1e-3;
+/// What is smaller than this part of the longest vector need not be known better than that.
+const SMALL: f64 = 0.1;
 
 /// Refuses where friction lets no balance exist, or more than one, as scratch paper tells it, or where it leaves every
 /// asked force open.

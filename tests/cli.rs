@@ -40,10 +40,10 @@ impl Drop for Folder {
     }
 }
 
-struct Ran {
-    code: i32,
-    out: String,
-    err: String,
+pub(crate) struct Ran {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) err: String,
 }
 
 fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
@@ -69,7 +69,7 @@ fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
     ran
 }
 
-fn run(arguments: &[&str]) -> Ran {
+pub(crate) fn run(arguments: &[&str]) -> Ran {
     run_in(common::root(), arguments, None)
 }
 

@@ -61,6 +61,7 @@ mod legibility;
 mod live;
 mod mutated_files;
 mod mutations;
+mod near_singular;
 mod nothing_missing;
 mod nudged_strokes;
 #[path = "other_programs/main.rs"]

@@ -206,13 +206,15 @@ fn cells(compared: &Compared, digits: usize) -> [String; 5] {
     if compared.indeterminate().is_some() {
         return [name, String::new(), String::new(), String::new(), String::new()];
     }
-    let (value, direction) = value_and_direction(asked, &compared.graphical.answer, digits);
+    let zero = compared.graphical.zero;
+    let (value, direction) = value_and_direction(asked, &compared.graphical.answer, zero, digits);
     let value = if matches!(compared.graphical.answer, Answer::AtInfinity { .. }) {
         value
     } else {
         format!("{value} {}", asked.unit.symbol).trim_end().to_owned()
     };
-    let (other, _) = value_and_direction(asked, &compared.analytic, digits);
+    let zero = zero && compared.analytic.may_be_zero();
+    let (other, _) = value_and_direction(asked, &compared.analytic, zero, digits);
     let off = compared.difference.map_or("not comparable".to_owned(), |difference| {
         if difference.ratio > 1.0 {
             significant(difference.ratio, 2)
@@ -223,21 +225,35 @@ fn cells(compared: &Compared, digits: usize) -> [String; 5] {
     [name, value, direction, other, off]
 }
 
-/// A value in its unit, and where it points or turns.
-fn value_and_direction(asked: &Asked, answer: &Answer, digits: usize) -> (String, String) {
-    let number = |x: f64| significant(x / asked.unit.si, digits);
-    let degrees = |[x, y]: [f64; 2]| format!("{} deg", significant(libm::atan2(y, x).to_degrees(), 5));
+/// A value in its unit, and where it points or turns. What few digits are certain of is told with its bound.
+fn value_and_direction(asked: &Asked, answer: &Answer, zero: bool, digits: usize) -> (String, String) {
+    let certain = certain_digits(answer);
+    let digits = digits.min(certain);
+    let number = |x: f64| match answer {
+        Answer::Scalar { bound, .. } | Answer::Vector { bound, .. } if certain < FEW => {
+            within(x / asked.unit.si, bound / asked.unit.si)
+        }
+        _ => significant(x / asked.unit.si, digits),
+    };
+    let degrees = |[x, y]: [f64; 2]| {
+        format!("{} deg", significant(libm::atan2(y, x).to_degrees(), if certain < FEW { 3 } else { 5 }))
+    };
     match answer {
         Answer::Vector { value, bound } if is_place(&asked.quantity) => {
             let [x, y] = value.map(|c| number(if c.abs() <= *bound { 0.0 } else { c }));
             (format!("({x}, {y})"), String::new())
         }
-        answer if answer.may_be_zero() => ("0".to_owned(), String::new()),
-        Answer::Vector { value, bound } => {
-            // What is zero within the bound turns no direction by 1e-15°.
-            let sure = value.map(|c| if c.abs() <= *bound { 0.0 } else { c });
-            (number(libm::hypot(value[0], value[1])), degrees(sure))
+        _ if zero => ("0".to_owned(), String::new()),
+        Answer::Vector { value, .. } if answer.may_be_zero() => {
+            (number(libm::hypot(value[0], value[1])), String::new())
         }
+        Answer::Vector { value, bound } => {
+            // What is rounding turns no direction by 1e-15°; what a room leaves open does.
+            let size = libm::hypot(value[0], value[1]);
+            let sure = value.map(|c| if c.abs() <= *bound && c.abs() <= ROUNDING * size { 0.0 } else { c });
+            (number(size), degrees(sure))
+        }
+        Answer::Scalar { value, .. } if answer.may_be_zero() => (number(*value), String::new()),
         Answer::Scalar { value, .. } if has_sense(&asked.quantity) => {
             (number(value.abs()), if *value > 0.0 { "ccw" } else { "cw" }.to_owned())
         }
@@ -247,6 +263,35 @@ fn value_and_direction(asked: &Asked, answer: &Answer, digits: usize) -> (String
         }
         Answer::Indeterminate(_) => (String::new(), String::new()),
     }
+}
+
+/// A number of which fewer digits are certain is told with its bound.
+const FEW: usize = 4;
+/// A component smaller than this part of its vector is rounding where its bound allows zero.
+const ROUNDING: f64 = 1e-9;
+
+/// A number with its bound, which is rounded up to two figures: 35.6 ± 6.9.
+fn within(number: f64, bound: f64) -> String {
+    if !(number.is_finite() && bound.is_finite()) || bound <= 0.0 {
+        return significant(number, 1);
+    }
+    let place = 1.0 - libm::floor(libm::log10(bound));
+    let unit = libm::pow(10.0, -place);
+    let bound = libm::ceil(bound / unit) * unit;
+    let number = if place < 0.0 { libm::round(number / unit) * unit } else { number };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a decimal exponent")]
+    let decimals = place.max(0.0) as usize;
+    format!("{number:.decimals$} ± {bound:.decimals$}")
+}
+
+/// How many digits of a number its bound leaves certain, at least one.
+fn certain_digits(answer: &Answer) -> usize {
+    let (size, bound) = match answer {
+        Answer::Scalar { value, bound } => (value.abs(), *bound),
+        Answer::Vector { value: [x, y], bound } => (libm::hypot(*x, *y), *bound),
+        Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return usize::MAX,
+    };
+    (1..17).rev().find(|&digits| bound * libm::pow(10.0, digits as f64) <= size).unwrap_or(1)
 }
 
 /// Whether a quantity is a place, whose coordinates are told.
@@ -284,7 +329,10 @@ pub(super) fn verdict(agreement: &Agreement) -> String {
             short(power.bound)
         );
     }
-    let worst = short(agreement.worst_ratio());
+    let worst = match agreement.worst_ratio() {
+        ratio if ratio > 0.0 && ratio < 1e-3 => "less than 0.001".to_owned(),
+        ratio => short(ratio),
+    };
     let wrong = agreement.disagreements();
     if wrong.is_empty() {
         return format!("graphical and analytic agree: worst difference is {worst} of the bounds");

@@ -586,7 +586,7 @@ impl Report<'_> {
         let links: Vec<String> = self.sweep.links(event).iter().map(u32::to_string).collect();
         let blame = match links.len() {
             0 => String::new(),
-            1 => format!(" of link {}", links[0]),
+            1 => format!(" at link {}", links[0]),
             _ => format!(": links {} in line", links.join(" and ")),
         };
         let what = match event.kind {

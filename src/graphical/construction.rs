@@ -9,7 +9,7 @@ use std::fmt;
 use crate::double_double::DoubleDouble;
 use crate::mechanism::force::{Action, Force, Party, Share, Sought};
 use crate::mechanism::friction::Rub;
-use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
+use crate::mechanism::quantity::{Answer, DiagramKind, Method, Nature, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId};
 
@@ -39,6 +39,8 @@ pub struct Construction {
     pub others: Vec<OtherPosition>,
     /// The numbered steps, in the order in which they were drawn.
     pub steps: Vec<Step>,
+    /// Whether places are known within rooms only, stated ones or those that their digits leave.
+    pub rooms: bool,
     /// One answer per asked quantity, in order.
     pub answers: Vec<Reading>,
 }
@@ -98,6 +100,36 @@ impl Construction {
         lone.into_iter().filter(far).collect()
     }
 
+    /// The longest vector of a polygon, SI units; 0 where there is none.
+    #[must_use]
+    pub fn longest(&self, order: Order) -> f64 {
+        let Some(diagram) = self.diagram(order.diagram()) else { return 0.0 };
+        let lengths = diagram.vectors.iter().map(Vector::length);
+        lengths.fold(0.0, f64::max) * diagram.si_per_mm
+    }
+
+    /// Whether a number of this size is told as zero: its bound allows zero. Where places are known within rooms only, that
+    /// shows nothing: there it must be nothing beside its bound, or its bound nothing beside the polygon.
+    #[must_use]
+    pub fn is_told_as_zero(&self, quantity: &Quantity, answer: &Answer) -> bool {
+        let (size, bound) = match answer {
+            Answer::Scalar { value, bound } => (value.abs(), *bound),
+            Answer::Vector { value: [x, y], bound } => (libm::hypot(*x, *y), *bound),
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return false,
+        };
+        if !self.rooms || !answer.may_be_zero() {
+            return answer.may_be_zero();
+        }
+        let order = quantity.order();
+        let largest = match quantity.nature() {
+            _ if !matches!(order, Order::Velocity | Order::Acceleration) => 0.0,
+            Nature::Vector => self.longest(order),
+            // So fast the skeleton would turn with the longest of them at its end.
+            _ => self.longest(order) / self.space.size(),
+        };
+        size <= NIL * bound || bound <= NIL * largest
+    }
+
     /// The vector diagram of a kind, where anything asked needs it.
     #[must_use]
     pub fn diagram(&self, kind: DiagramKind) -> Option<&Diagram> {
@@ -105,11 +137,16 @@ impl Construction {
     }
 }
 
+/// What is no more than this part of another number is nothing beside it.
+const NIL: f64 = 1e-9;
+
 /// An asked quantity as read off the paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The value in SI units with its bound.
     pub answer: Answer,
+    /// Whether it is told as zero, without sense, direction and digits.
+    pub zero: bool,
     /// The value in the board's own arithmetic, where that is finer than a double.
     pub fine: Option<Fine>,
     /// The length of its vector on the paper, for quantities that are a vector of a polygon.
@@ -1137,6 +1174,14 @@ pub struct Vector {
     pub is_zero: bool,
     /// Index into [`Construction::steps`].
     pub step: usize,
+}
+
+impl Vector {
+    /// How long it is drawn, mm.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        libm::hypot(self.to[0] - self.from[0], self.to[1] - self.from[1])
+    }
 }
 
 /// A line of the skeleton that a direction refers to.

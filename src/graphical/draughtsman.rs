@@ -316,6 +316,7 @@ impl<'m> Draughtsman<'m> {
                 auxiliary: Vec::new(),
                 others: Vec::new(),
                 steps: Vec::new(),
+                rooms: false,
                 answers: Vec::new(),
             },
         }
@@ -326,6 +327,11 @@ impl<'m> Draughtsman<'m> {
     }
 
     /// Notes the free bodies.
+    /// Notes whether places are known within rooms only.
+    pub(super) fn note_rooms(&mut self) {
+        self.record.rooms = !self.mechanism.roomy().is_empty();
+    }
+
     pub(super) fn note_forces(&mut self, sheet: Option<ForceSheet>) {
         self.record.forces = sheet;
     }
@@ -376,9 +382,23 @@ impl<'m> Draughtsman<'m> {
         scale(self.scales.of(order.dimension()))
     }
 
-    /// A reason for a division that fails where these links are in line.
+    /// A reason for a division that fails where these links are in line. A link that stands square to a guide is in line with
+    /// nothing: of the two it alone is named.
     pub(super) fn reason(&mut self, links: &[LinkId]) -> Reason {
-        let mut numbers: Vec<u32> = links.iter().map(|&l| self.mechanism.link(l).number).collect();
+        let mechanism = self.mechanism;
+        let slides_on = |rider: LinkId, guide: LinkId| {
+            mechanism.slides.iter().filter(|slide| slide.guide.link == guide).any(|slide| match slide.rider {
+                Rider::Pin { point, block } => {
+                    block == Some(rider) || mechanism.point(point).links.contains(&rider)
+                }
+                Rider::Link { link, .. } => link == rider,
+            })
+        };
+        let carries = |guide: LinkId| {
+            links.len() > 1 && links.iter().any(|&rider| rider != guide && slides_on(rider, guide))
+        };
+        let named = links.iter().filter(|&&link| !carries(link));
+        let mut numbers: Vec<u32> = named.map(|&link| mechanism.link(link).number).collect();
         numbers.sort_unstable();
         self.reason_for(Cause::InLine(numbers))
     }

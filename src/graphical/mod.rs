@@ -392,6 +392,7 @@ fn read_off(
     shown: impl Fn(&mut Draughtsman<'_>) -> Vec<Shown>,
 ) -> Solution {
     auxiliary::draw(&mut draughtsman, plan);
+    draughtsman.note_rooms();
     let (answers, slots) = reading::answers(&mut draughtsman);
     let sheet = forces::record(&mut draughtsman, plan);
     draughtsman.note_forces(sheet);

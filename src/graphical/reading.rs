@@ -55,10 +55,12 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
         read.iter().map(|read| read.numbers.iter().flatten().map(|(mark, _)| *mark).collect()).collect();
     let judged = d.board.tape().judged(&slots.concat());
     let mut judged = judged.as_slice();
+    let quantities = d.mechanism.asked.iter().map(|asked| asked.quantity);
     let readings = read
         .into_iter()
         .zip(&slots)
-        .map(|(read, slots)| {
+        .zip(quantities)
+        .map(|((read, slots), quantity)| {
             let (own, rest) = judged.split_at(slots.len());
             judged = rest;
             let (answer, fine) = d.answer(&read, own);
@@ -73,8 +75,10 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
                 .couple
                 .zip(none)
                 .filter(|(couple, bound)| couple.abs() > bound * SHEET * d.scales.length());
+            let zero = d.record().is_told_as_zero(&quantity, &answer);
             Reading {
                 answer,
+                zero,
                 fine,
                 drawn_mm: read.drawn_mm,
                 through,

@@ -38,7 +38,7 @@ pub(super) fn zeros(
         .filter_map(|shown| {
             let (own, rest) = judged.split_at(shown.slots().len());
             judged = rest;
-            Some((shown.quantity, shown.bound_of_zero(own)?))
+            Some((shown.quantity, shown.bound_of_zero(own, construction)?))
         })
         .collect()
 }

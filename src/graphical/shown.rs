@@ -7,7 +7,7 @@ use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
-use super::construction::{Label, Vector};
+use super::construction::{Construction, Label, Vector};
 use super::draughtsman::{Draughtsman, Motion};
 use super::forces;
 
@@ -61,15 +61,15 @@ impl Shown {
         &self.slots
     }
 
-    /// Its bound, where that allows zero; `judged` are its numbers.
-    pub(super) fn bound_of_zero(&self, judged: &[Judged]) -> Option<f64> {
+    /// Its bound, where it is told as zero; `judged` are its numbers.
+    pub(super) fn bound_of_zero(&self, judged: &[Judged], construction: &Construction) -> Option<f64> {
         if judged.iter().any(|number| number.weakness.is_some()) {
             return None;
         }
         let bounds: Vec<f64> = judged.iter().map(|number| number.bound).collect();
         match self.with_bound(&bounds) {
             answer @ (Answer::Scalar { bound, .. } | Answer::Vector { bound, .. }) => {
-                answer.may_be_zero().then_some(bound)
+                construction.is_told_as_zero(&self.quantity, &answer).then_some(bound)
             }
             Answer::AtInfinity { .. } | Answer::Indeterminate(_) => None,
         }

@@ -700,6 +700,8 @@ pub enum Indeterminate {
     },
     /// The mechanism's Jacobian is singular here (analytic solver).
     Singular,
+    /// So close to a dead centre, or to a change point, that rounding leaves none of its first digits certain.
+    Unclear,
     /// Within the rooms in which places are known there may be a dead centre, and where they are stated is none.
     Room {
         /// Names of the points that were stated with a room.
@@ -740,6 +742,9 @@ impl fmt::Display for Indeterminate {
                 }
             }
             Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
+            Self::Unclear => {
+                write!(f, "too close to a dead centre: rounding leaves not three digits of it certain")
+            }
             Self::Room { points } => {
                 write!(f, "the room that is stated for {} leaves it open", points.join(" and "))
             }

@@ -222,7 +222,7 @@ impl Teller<'_> {
     /// What follows from rates and vectors that were told.
     fn computed(&self, asked: &Asked, reading: &Reading) -> Vec<Rich> {
         let value = match reading.answer {
-            _ if reading.answer.may_be_zero() => {
+            _ if reading.zero => {
                 let lies_square =
                     matches!(asked.quantity, Quantity::Tangential(_) | Quantity::RelativeTangential(..));
                 let own = lies_square && !self.figures.borrow().has(Key::of(asked.quantity, self.n));

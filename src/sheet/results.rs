@@ -116,7 +116,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
     };
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.
-        answer @ Answer::Scalar { value, .. } if answer.may_be_zero() && *value != 0.0 => {
+        Answer::Scalar { value, .. } if reading.zero && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
             row(asked, &Reading { answer: none, ..reading.clone() }, notation, figures)
         }
@@ -152,7 +152,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
                 return vec![symbol, human::with_unit(&pair, &asked.unit.symbol), Rich::default()];
             }
             let size = libm::hypot(*x, *y);
-            let size = if size <= *bound { 0.0 } else { size };
+            let size = if reading.zero { 0.0 } else { size };
             let direction = if size > 0.0 {
                 Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(*y, *x)))
             } else {
@@ -180,7 +180,9 @@ fn reason(why: &Indeterminate, notation: &Notation<'_>) -> String {
             format!("{} ({})", notation.words.dead_centre, numbers.join(notation.words.comma))
         }
         Indeterminate::DeadCentre { .. } => notation.words.dead_centre.to_owned(),
-        Indeterminate::Singular | Indeterminate::Room { .. } => notation.words.not_determined.to_owned(),
+        Indeterminate::Singular | Indeterminate::Unclear | Indeterminate::Room { .. } => {
+            notation.words.not_determined.to_owned()
+        }
         Indeterminate::NoEquilibrium { .. } => notation.words.no_equilibrium.to_owned(),
         Indeterminate::Rubbing { .. } | Indeterminate::Undefined { .. } => {
             notation.words.undefined.to_owned()

@@ -895,7 +895,7 @@ impl Artist<'_> {
         let asked = &self.notation.mechanism().asked;
         for (asked, reading) in asked.iter().zip(&self.construction.answers) {
             if let Answer::Scalar { value, .. } = reading.answer {
-                let value = if reading.answer.may_be_zero() { 0.0 } else { value };
+                let value = if reading.zero { 0.0 } else { value };
                 match asked.quantity {
                     Quantity::Omega(link) => known.insert((link, false), value),
                     Quantity::Alpha(link) => known.insert((link, true), value),

@@ -482,6 +482,7 @@ fn placed(json: &str) -> (Scene, Construction) {
         cycle: None,
         auxiliary: Vec::new(),
         steps: vec![],
+        rooms: false,
         answers: vec![],
     };
     (scene, construction)

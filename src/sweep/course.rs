@@ -701,7 +701,9 @@ impl Walker<'_> {
             let beyond = (a.slope < 0.0) != ascending;
             // Where a slope jumps, or passes through infinity, nothing is extreme.
             let vanishes = there.slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
-            if value.is_finite() && vanishes && view.is_clear() {
+            // What it rises or falls by on both sides may be rounding.
+            let differs = |m: Dual| (there.value - m.value).abs() > there.error + m.error;
+            if value.is_finite() && vanishes && (differs(a) || differs(b)) && view.is_clear() {
                 let column = measure.first();
                 let kind = if beyond {
                     EventKind::Greatest { column, value }
@@ -790,6 +792,11 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         }
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
+    // A limit that is met from both sides is found twice within its own rounding.
+    events.dedup_by(|next, last| {
+        let limits = [&*next, &*last].iter().all(|e| e.kind == EventKind::Limit);
+        limits && next.reason == last.reason && next.at - last.at <= AT_LIMIT * sweep.size()
+    });
     (stretches, events, looked)
 }
 
