@@ -11,7 +11,8 @@ use crate::plan::Plan;
 
 use super::auxiliary::draw_for_forces;
 use super::reading::{Marked, Numbers, numbers, read_all};
-use super::{DrawError, Scales, draw};
+use super::trial::Searched;
+use super::{DrawError, Scales, draw, draw_departing};
 
 /// The error of one asked quantity, drawn by hand, in SI units (of a vector: the length of its error).
 #[derive(Debug, Clone, PartialEq)]
@@ -138,14 +139,14 @@ pub fn by_hand(
     draughtsmen: Draughtsmen,
 ) -> Result<Vec<HandError>, DrawError> {
     let hand = draughtsmen.hand;
-    let board = Board::new(Tape::by_hand(hand));
-    let mut perfect = draw(board, mechanism, structure, plan, scales)?;
+    let searched = Searched::by_hands();
+    let drawn_on = |board| draw_departing(board, mechanism, structure, plan, scales, (&[], Some(&searched)));
+    let mut perfect = drawn_on(Board::new(Tape::by_hand(hand)))?;
     draw_for_forces(&mut perfect, plan);
     let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
     let mut errors: Vec<Vec<Slip>> = vec![Vec::new(); readings.len()];
     for seed in 0..draughtsmen.number {
-        let board = Board::new(Tape::trembling(hand, seed));
-        let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
+        let Ok(mut drawn) = drawn_on(Board::new(Tape::trembling(hand, seed))) else { continue };
         draw_for_forces(&mut drawn, plan);
         for (index, read) in read_all(&mut drawn).into_iter().enumerate() {
             let turns = matches!(mechanism.asked[index].quantity, Quantity::Angle(_));
@@ -214,4 +215,45 @@ pub fn errors_of(read: &[Option<f64>], perfect: Option<f64>) -> HandError {
 fn spread(sorted: &[f64]) -> Option<Spread> {
     let at = |part: usize, of: usize| sorted.get((sorted.len() * part / of).min(sorted.len().max(1) - 1));
     Some(Spread { median: *at(1, 2)?, most: *at(19, 20)?, largest: *sorted.last()? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::quantity::Order;
+    use crate::plan::Extent;
+
+    /// A hundred hands draw a Stephenson six-bar by trial: all ways in which it closes are searched through once or twice, and each
+    /// hand gets to the last bit what it would get if it searched by itself.
+    #[test]
+    fn hands_that_slip_search_next_to_the_perfect_hand() {
+        let kind = crate::catalogue::KINDS.iter().find(|kind| kind.name == "stephenson").unwrap();
+        let scene = crate::scene::read(kind.scene, kind.name).unwrap();
+        let mechanism = &scene.mechanism;
+        let structure = Structure::of(mechanism).unwrap();
+        assert!(!structure.trials.is_empty());
+        let plan = Plan::new(mechanism, &structure, Extent::Asked);
+        assert!(!plan.steps(Order::Velocity).is_empty());
+        let solved = crate::solve::solve(&scene, Extent::Asked, crate::sheet::scale::for_scene).unwrap();
+        let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
+        let searched = Searched::by_hands();
+        let drawn = |tape: Tape, searched: Option<&Searched>| {
+            let (board, of) = (Board::new(tape), (&[] as &[_], searched));
+            let mut drawn = draw_departing(board, mechanism, &structure, &plan, solved.scales, of).ok()?;
+            Some(numbers(&mut drawn, |_, _| Some(None)))
+        };
+        assert!(drawn(Tape::by_hand(hand), Some(&searched)).is_some());
+        let mut compared = 0;
+        for seed in 0..100 {
+            let with = drawn(Tape::trembling(hand, seed), Some(&searched));
+            if seed < 10 {
+                let alone: Option<Vec<Option<Numbers<f64>>>> = drawn(Tape::trembling(hand, seed), None);
+                assert_eq!(format!("{with:?}"), format!("{alone:?}"), "hand {seed}");
+                compared += usize::from(with.is_some());
+            }
+        }
+        // Whoever's slips leave no closing next to the perfect one searches for himself.
+        assert!(searched.searches() <= 2, "{} searches", searched.searches());
+        assert_eq!(compared, 10);
+    }
 }

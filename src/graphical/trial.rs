@@ -16,7 +16,7 @@
 //!
 //! *Acceleration*: in the same way, with the trial driver's angular acceleration.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side, found_by_trial};
 use crate::given::Given;
@@ -71,6 +71,8 @@ const MOST_WAYS: usize = 6;
 const MOST_LAST_WAYS: usize = 24;
 /// Another way to try a group is taken for its rough places where it misses them by less than this part, in squares.
 const CLEARLY: f64 = 0.25;
+/// A hand's slips move what is tried by no more than this part of how far it may go at once.
+const SLIPS: f64 = 0.1;
 /// A rate below this part of the one that gives such a vector is too small to try others near it.
 const LEAST_RATE: f64 = 1e-3;
 
@@ -93,7 +95,13 @@ pub(super) struct Tried {
 /// Ways in which groups of higher class close, kept from one drawing to the next: where nothing differs before a group, the
 /// search for them, which takes almost all of the time, has the same end.
 #[derive(Debug, Default)]
-pub struct Searched(RefCell<Vec<Search>>);
+pub struct Searched {
+    known: RefCell<Vec<Search>>,
+    /// Drawings differ by the slips of hands: a group closes next to where it closed in the first of them.
+    by_hands: bool,
+    /// How often all ways to close a group were searched through.
+    searches: Cell<u32>,
+}
 
 /// A search: everything that it hangs on, and what it found.
 #[derive(Debug)]
@@ -116,20 +124,44 @@ struct Stands {
 }
 
 impl Searched {
+    /// For many drawings of one mechanism, the first by a perfect hand and the others by hands that slip: these look for
+    /// the way in which a group closes next to the perfect one, and elsewhere only where there is none.
+    pub(super) fn by_hands() -> Self {
+        Self { by_hands: true, ..Self::default() }
+    }
+
+    /// How often all ways to close a group were searched through: what almost all of the time goes into.
+    #[cfg(test)]
+    pub(super) fn searches(&self) -> u32 {
+        self.searches.get()
+    }
+
     /// The way in which a group closes, as [`Draughtsman::find_root`] finds it.
     fn root(&self, d: &mut Draughtsman<'_>, trial: &Trial) -> Result<Root, DrawError> {
         let stands = d.as_it_stands();
-        let same = |search: &&Search| {
-            search.stands == stands
-                && search.trial == *trial
-                && is_same_skeleton(&search.mechanism, d.mechanism)
-        };
-        if let Some(search) = self.0.borrow().iter().find(same) {
-            return search.found.clone();
+        let alike =
+            |search: &&Search| search.trial == *trial && is_same_skeleton(&search.mechanism, d.mechanism);
+        let mut perfect = None;
+        for search in self.known.borrow().iter().filter(alike) {
+            if search.stands == stands {
+                return search.found.clone();
+            }
+            if self.by_hands && perfect.is_none() {
+                perfect = search.found.clone().ok();
+            }
         }
+        let is_first = perfect.is_none();
+        if let Some(near) = perfect.and_then(|perfect| d.root_near(trial, &perfect)) {
+            return Ok(near);
+        }
+        self.searches.set(self.searches.get() + 1);
         let found = d.find_root(trial);
-        let mechanism = d.mechanism.clone();
-        self.0.borrow_mut().push(Search { trial: trial.clone(), stands, mechanism, found: found.clone() });
+        // Of hands that slip no two leave a drawing at which another would begin.
+        if is_first {
+            let mechanism = d.mechanism.clone();
+            let search = Search { trial: trial.clone(), stands, mechanism, found: found.clone() };
+            self.known.borrow_mut().push(search);
+        }
         found
     }
 }
@@ -582,11 +614,7 @@ impl<'m> Draughtsman<'m> {
         sketch: &Draughtsman<'_>,
         (angle, sides): (f64, Vec<Side>),
     ) {
-        let places: Vec<(PointId, [f64; 2])> = self
-            .points_of(trial)
-            .into_iter()
-            .filter_map(|p| sketch.places[p.0].map(|at| (p, at.value())))
-            .collect();
+        let places = self.places_on(sketch, trial);
         let same_place = self.at_most(SAME_PLACE);
         let same = |other: &Root| {
             let pairs = other.places.iter().zip(&places);
@@ -881,6 +909,35 @@ impl<'m> Draughtsman<'m> {
             }
         }
         self.choose_root(trial, roots, least)
+    }
+
+    /// The way in which the group closes next to that of another drawing, its groups assembled alike; none where it closes
+    /// nowhere near.
+    fn root_near(&mut self, trial: &Trial, other: &Root) -> Option<Root> {
+        let &(driver, closing) = trial.drivers.first()?;
+        let unit = self.unit_of_trial(driver);
+        let (steps, rod) = self.all_steps(trial);
+        let mut sketch = self.sketch();
+        let blank = sketch.standing_now();
+        let mut miss_at = |angle: f64| -> Option<f64> {
+            sketch.stand_as(&blank);
+            let along = sketch.board.angle(Given::exact(angle));
+            sketch.sides = Some(other.sides.clone());
+            sketch.positions(trial, &steps, &rod, &[along]).ok()?;
+            Some(sketch.miss(closing).ok()??.value())
+        };
+        let (at, _) = found_by_trial(other.angle, unit, &mut miss_at);
+        let angle = at.filter(|at| (at - other.angle).abs() <= SLIPS * unit)?;
+        miss_at(angle)?;
+        let stands = sketch.face_riders(trial);
+        let places = self.places_on(&sketch, trial);
+        stands.then(|| Root { angle, sides: other.sides.clone(), places })
+    }
+
+    /// Where a sketch has the points of a group.
+    fn places_on(&self, sketch: &Draughtsman<'_>, trial: &Trial) -> Vec<(PointId, [f64; 2])> {
+        let points = self.points_of(trial).into_iter();
+        points.filter_map(|p| sketch.places[p.0].map(|at| (p, at.value()))).collect()
     }
 
     /// Where a driver is tried if it stands by its rough place, where that tells.
