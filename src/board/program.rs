@@ -883,8 +883,8 @@ pub enum LookedFor {
 #[derive(Debug, Clone)]
 pub struct Excerpt<'p, const N: usize> {
     program: &'p Program,
-    /// Rows and values of the constants that are read.
-    constants: Vec<(u32, f64)>,
+    /// Rows, values and errors of the constants that are read.
+    constants: Vec<(u32, f64, f64)>,
     /// In the order of drawing; `None` where something is tried: a search needs the steps as they stand.
     steps: Option<Vec<Step>>,
     /// Where the numbers stand.
@@ -912,12 +912,13 @@ impl<const N: usize> Excerpt<'_, N> {
             });
         };
         place.looks += 1;
+        place.operations += steps.len() as u64;
         let Workspace { values, slopes, .. } = place;
         // What is read has been written before; what an earlier look left elsewhere is not read.
         values.resize(self.program.rows as usize, [0.0]);
         slopes.resize(self.program.rows as usize, [0.0]);
         (values[0], slopes[0]) = ([input], [1.0]);
-        for &(row, value) in &self.constants {
+        for &(row, value, _) in &self.constants {
             (values[row as usize], slopes[row as usize]) = ([value], [0.0]);
         }
         self.program.run_with_slopes(steps, signs, values, slopes);
@@ -926,6 +927,38 @@ impl<const N: usize> Excerpt<'_, N> {
             Moving { value, slope }
         })
     }
+
+    /// The numbers at one position with their errors, to the same doubles as [`Program::look`].
+    pub fn look_closely(&self, input: f64, signs: &[f64], place: &mut Workspace) -> [Dual; N] {
+        let Some(steps) = &self.steps else {
+            self.program.look(input, signs, place);
+            return self.rows.map(|row| place.rows[row as usize].moving());
+        };
+        place.looks += 1;
+        place.operations += steps.len() as u64;
+        // As above: what is read has been written before.
+        place.rows.resize(self.program.rows as usize, Row::default());
+        place.rows[0] = input_row(input, 2.0 * U * input.abs());
+        for &(row, value, error) in &self.constants {
+            place.rows[row as usize] = constant_row(value, error);
+        }
+        self.program.look_at_steps(steps, signs, &mut place.rows);
+        self.rows.map(|row| place.rows[row as usize].moving())
+    }
+}
+
+/// The row of what is varied, with its error.
+fn input_row(value: f64, error: f64) -> Row {
+    let mut row = Row { value, slope: 1.0, ..Row::default() };
+    row.round(error, lots(LOT_OF_INPUT));
+    row
+}
+
+/// The row of a constant, which has been computed from numbers of the scene.
+fn constant_row(value: f64, error: f64) -> Row {
+    let mut row = Row { value, ..Row::default() };
+    row.round(error, lots(lot_of_constant(value)));
+    row
 }
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
@@ -1024,6 +1057,7 @@ pub struct Workspace {
     values: Vec<[f64; 1]>,
     slopes: Vec<[f64; 1]>,
     looks: u64,
+    operations: u64,
 }
 
 impl Workspace {
@@ -1031,6 +1065,12 @@ impl Workspace {
     #[must_use]
     pub fn looks(&self) -> u64 {
         self.looks
+    }
+
+    /// How many operations that were computed in this room, those of searches by trial left out.
+    #[must_use]
+    pub fn operations(&self) -> u64 {
+        self.operations
     }
 
     /// What every trial of the drawing found at the place that was looked at last, for a [`super::BoundedProgram`].
@@ -1302,7 +1342,7 @@ impl Program {
             steps
         });
         let read = self.constants.iter().filter(|(row, ..)| is_read[*row as usize]);
-        let constants = read.map(|&(row, value, _)| (row, value)).collect();
+        let constants = read.copied().collect();
         Excerpt { program: self, constants, steps, rows }
     }
 
@@ -1315,17 +1355,14 @@ impl Program {
     /// The same where the input is known within an error of its own.
     pub fn look_within(&self, input: f64, error: f64, signs: &[f64], place: &mut Workspace) {
         place.looks += 1;
+        place.operations += self.steps.len() as u64;
         place.found.clear();
         let rows = &mut place.rows;
         rows.clear();
         rows.resize(self.rows as usize, Row::default());
-        rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
-        rows[0].round(error, lots(LOT_OF_INPUT));
+        rows[0] = input_row(input, error);
         for &(row, value, error) in &self.constants {
-            // A constant has been computed from numbers of the scene.
-            let constant = &mut rows[row as usize];
-            constant.value = value;
-            constant.round(error, lots(lot_of_constant(value)));
+            rows[row as usize] = constant_row(value, error);
         }
         let mut done = 0;
         for trial in &self.trials {

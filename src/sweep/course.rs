@@ -187,6 +187,18 @@ impl View {
         self.chords.iter().all(|(_, c)| is_clear(*c))
     }
 
+    /// No two arcs come near to touching between here and another look at which they do not, seen from their tangents.
+    fn stays_clear(&self, other: &Self) -> bool {
+        /// So many times farther from touching than is told from it.
+        const FARTHER: f64 = 16.0;
+        let way = other.at - self.at;
+        self.chords.iter().zip(&other.chords).all(|((_, a), (_, b))| {
+            let [far_here, far_there] = [a, b].map(|c| c.value > FARTHER * ERRORS * c.error);
+            let falls_and_rises = a.slope * way < 0.0 && b.slope * way > 0.0;
+            far_here && far_there && !(falls_and_rises && may_touch(*a, *b, way))
+        })
+    }
+
     /// Every half chord can be drawn, or just, and what is tried has met its constraints.
     fn closes(&self) -> bool {
         self.chords.iter().all(|(_, c)| c.value > -ERRORS * c.error)
@@ -676,7 +688,31 @@ impl Walker<'_> {
         }
     }
 
+    /// What is measured at one place, with its error, and whether no two arcs just touch there.
+    fn measured_at(&mut self, measure: Measure, at: f64, signs: &[f64], arcs_cross: bool) -> (Dual, bool) {
+        if !arcs_cross || self.sweep.tries() {
+            let view = self.view(at, signs);
+            return (view.measured(measure), view.is_clear());
+        }
+        // In a long chain, or beside many other numbers, all of them would be looked at for the sake of one.
+        let (program, columns) = (&self.sweep.transcribed().program, &self.sweep.columns);
+        let there = match measure {
+            Measure::Column(column) => {
+                let alone = program.excerpt([LookedFor::Asked(column)]);
+                let [m] = alone.look_closely(at, signs, &mut self.place);
+                columns[column].counted(m)
+            }
+            Measure::Magnitude(both) => {
+                let alone = program.excerpt(both.map(LookedFor::Asked));
+                let [x, y] = alone.look_closely(at, signs, &mut self.place);
+                square_of([columns[both[0]].counted(x), columns[both[1]].counted(y)])
+            }
+        };
+        (there, true)
+    }
+
     fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
+        let arcs_cross = before.stays_clear(now);
         for &measure in self.sweep.measures() {
             let (a, b) = (before.measured(measure), now.measured(measure));
             if (a.slope < 0.0) == (b.slope < 0.0) {
@@ -688,8 +724,7 @@ impl Walker<'_> {
                 continue;
             }
             let at = self.root_of_slope(measure, (before.at, a.slope), (now.at, b.slope), signs);
-            let view = self.view(at, signs);
-            let there = view.measured(measure);
+            let (there, is_clear_there) = self.measured_at(measure, at, signs, arcs_cross);
             let value = match measure {
                 Measure::Column(_) => there.value,
                 // A magnitude within its error is zero.
@@ -703,7 +738,7 @@ impl Walker<'_> {
             let vanishes = there.slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
             // What it rises or falls by on both sides may be rounding.
             let differs = |m: Dual| (there.value - m.value).abs() > there.error + m.error;
-            if value.is_finite() && vanishes && (differs(a) || differs(b)) && view.is_clear() {
+            if value.is_finite() && vanishes && (differs(a) || differs(b)) && is_clear_there {
                 let column = measure.first();
                 let kind = if beyond {
                     EventKind::Greatest { column, value }
@@ -934,8 +969,36 @@ fn wrapped(
 #[cfg(test)]
 mod tests {
     use super::super::Sweep;
-    use crate::board::{LookedFor, Workspace};
+    use crate::board::{Dual, LookedFor, Workspace};
     use crate::catalogue::KINDS;
+
+    /// A coupler with twice as many points costs twice as much to walk with: for the sake of one extreme not everything else is
+    /// looked at, of which there are as many.
+    #[test]
+    fn extremes_of_many_numbers_cost_as_much_as_each_alone() {
+        let operations = |count: usize| {
+            let mut joins = vec!["A".to_owned(), "B".to_owned()];
+            joins.extend((0..count).map(|k| format!("Z{k}")));
+            let mut line = vec![0.0, 100.0];
+            line.extend((0..count).map(|k| 1.0 + 97.0 * k as f64 / count as f64));
+            let scene = serde_json::json!({
+                "units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [110, 0]},
+                "links": {"2": {"joins": ["O2", "A"], "length": 40}, "3": {"joins": joins, "line": line},
+                          "4": {"joins": ["O4", "B"], "length": 80}},
+                "near": {"B": [90, 75]}, "input": {"link": 2, "angle": 60, "omega": "10 rad/s ccw"}
+            });
+            let scene = crate::scene::read(&scene.to_string(), "points.json").unwrap();
+            let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+            assert!(sweep.events.len() > 4 * count, "{} events", sweep.events.len());
+            let mut walker = super::Walker::new(&sweep);
+            let way = super::nodes(sweep.start, sweep.start + 6.0, 720, 6.0);
+            let signs = sweep.transcribed().program.signs();
+            walker.go(&way, signs, &mut Vec::new(), &mut Vec::new());
+            walker.place.operations()
+        };
+        let [few, many] = [60, 120].map(operations);
+        assert!(many < few * 22 / 10, "{few} operations grow to {many}");
+    }
 
     /// A part of a drawing gives what the whole of it gives, to the last bit.
     #[test]
@@ -954,7 +1017,12 @@ mod tests {
                     let divisors = program.divisors(&whole).enumerate();
                     let divisors = divisors.map(|(index, all)| (LookedFor::Divisor(index), all));
                     for (sought, all) in asked.chain(divisors) {
-                        let [alone] = program.excerpt([sought]).look(at, &stretch.signs, &mut part);
+                        let excerpt = program.excerpt([sought]);
+                        let [close] = excerpt.look_closely(at, &stretch.signs, &mut part);
+                        let numbers = |m: Dual| [m.value, m.slope, m.error].map(f64::to_bits);
+                        let exact = close.value.is_nan() || numbers(close) == numbers(all);
+                        assert!(exact, "{} at {at}: {sought:?} is {close:?}, not {all:?}", kind.name);
+                        let [alone] = excerpt.look(at, &stretch.signs, &mut part);
                         let bits =
                             |value: f64| if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
                         let same =
