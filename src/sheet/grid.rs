@@ -72,6 +72,17 @@ impl Grid {
         Self { area, cell, columns, rows, first, entries: Vec::new(), vacant: NONE }
     }
 
+    /// An empty one over the same area.
+    pub(super) fn blank(&self) -> Self {
+        Self::new(self.area)
+    }
+
+    /// How many entries its cells have.
+    #[cfg(test)]
+    pub(super) fn entries(&self) -> usize {
+        self.entries.len()
+    }
+
     fn column(&self, x: f64) -> usize {
         ((x - self.area.x0) / self.cell).clamp(0.0, (self.columns - 1) as f64) as usize
     }

@@ -266,8 +266,10 @@ pub struct Obstacles {
     clumps: Vec<Clump>,
     areas: Vec<Vec<Point>>,
     boxes: Vec<Rect>,
-    /// Clumps, then areas, then boxes, numbered one after the other.
+    /// Clumps, areas and boxes, in turn numbered by [`Kind`]: each kind may grow.
     grid: Grid,
+    /// What comes later is entered in the grid as it stands.
+    grows: bool,
     scratch: RefCell<Scratch>,
 }
 
@@ -290,11 +292,34 @@ enum Thing<'a> {
     Box(usize),
 }
 
+/// The kinds of things in a grid: the number of a thing is its place among its kind, times their number, and the kind.
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Clump,
+    Area,
+    Box,
+}
+
+impl Kind {
+    const COUNT: usize = 3;
+
+    /// The number in the grid of the thing at this place.
+    fn number(self, place: usize) -> usize {
+        place * Self::COUNT + self as usize
+    }
+}
+
 impl Clump {
     /// All its strokes, by number.
     fn all(&self) -> impl Iterator<Item = usize> {
         self.strokes.clone().chain(self.copies.iter().copied())
     }
+}
+
+/// The box of these points.
+fn around(points: &[Point]) -> Rect {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold(Rect::from_points(first, first), |r, p| r.union_pt(*p))
 }
 
 /// Width and height of a clump at most, mm.
@@ -325,10 +350,17 @@ impl Obstacles {
         all
     }
 
+    /// No ink, for what will be drawn where the other ink is: it grows without being looked through again.
+    #[must_use]
+    pub fn over(other: &Self) -> Self {
+        Self { grid: other.grid.blank(), grows: true, ..Self::default() }
+    }
+
     /// Adds the ink of a group to it.
     pub fn extend(&mut self, group: &Group) {
         let more = Self::of(group);
         let before = self.strokes.len();
+        let known = [self.clumps.len(), self.areas.len(), self.boxes.len()];
         self.strokes.extend(more.strokes);
         let later = |clump: Clump| Clump {
             strokes: clump.strokes.start + before..clump.strokes.end + before,
@@ -338,7 +370,11 @@ impl Obstacles {
         self.clumps.extend(more.clumps.into_iter().map(later));
         self.areas.extend(more.areas);
         self.boxes.extend(more.boxes);
-        self.index();
+        if self.grows {
+            self.enter(known);
+        } else {
+            self.index();
+        }
     }
 
     /// Strokes that stand alone and lie on each other become one clump: each is asked for by itself where its place
@@ -369,38 +405,45 @@ impl Obstacles {
 
     fn index(&mut self) {
         self.gather();
-        let area = |points: &[Point]| {
-            let first = points.first().copied().unwrap_or_default();
-            points.iter().fold(Rect::from_points(first, first), |r, p| r.union_pt(*p))
-        };
         let strokes = self.strokes.iter().map(|(a, b, _)| Rect::from_points(*a, *b));
-        let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| area(p)));
+        let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| around(p)));
         let whole = all.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         self.grid = Grid::new(whole);
-        for (i, clump) in self.clumps.iter().enumerate() {
+        self.enter([0; Kind::COUNT]);
+    }
+
+    /// Enters in the grid what has come after so many of each kind.
+    fn enter(&mut self, [clumps, areas, boxes]: [usize; Kind::COUNT]) {
+        for (i, clump) in self.clumps.iter().enumerate().skip(clumps) {
             match &self.strokes[clump.strokes.clone()] {
-                [(a, b, half)] => self.grid.add_stroke(i, *a, *b, *half + TOGETHER_MM),
-                _ => self.grid.add(i, clump.bounds),
+                [(a, b, half)] => {
+                    self.grid.add_stroke(Kind::Clump.number(i), *a, *b, *half + TOGETHER_MM);
+                }
+                _ => self.grid.add(Kind::Clump.number(i), clump.bounds),
             }
         }
-        let areas = self.areas.iter().map(|points| area(points));
-        for (i, own) in areas.chain(self.boxes.iter().copied()).enumerate() {
-            self.grid.add(self.clumps.len() + i, own);
+        for (i, points) in self.areas.iter().enumerate().skip(areas) {
+            self.grid.add(Kind::Area.number(i), around(points));
+        }
+        for (i, own) in self.boxes.iter().enumerate().skip(boxes) {
+            self.grid.add(Kind::Box.number(i), *own);
         }
     }
 
     /// What has this number in the grid.
     fn thing(&self, number: usize) -> Thing<'_> {
-        let after = number.wrapping_sub(self.clumps.len());
-        match (self.clumps.get(number), self.areas.get(after)) {
-            (Some(clump), _) => Thing::Clump(clump),
-            (None, Some(area)) => Thing::Area(area),
-            (None, None) => Thing::Box(after - self.areas.len()),
+        let (place, kind) = (number / Kind::COUNT, number % Kind::COUNT);
+        if kind == Kind::Clump as usize {
+            Thing::Clump(&self.clumps[place])
+        } else if kind == Kind::Area as usize {
+            Thing::Area(&self.areas[place])
+        } else {
+            Thing::Box(place)
         }
     }
 
     fn count(&self) -> usize {
-        self.clumps.len() + self.areas.len() + self.boxes.len()
+        Kind::COUNT * self.clumps.len().max(self.areas.len()).max(self.boxes.len())
     }
 
     fn add(&mut self, mark: &Mark) {
@@ -1356,6 +1399,44 @@ mod tests {
             assert_eq!(together.cost_up_to(own, f64::INFINITY), first + second + first, "at {x}, {y}");
             assert_eq!(together.is_free(own), alone.is_free(own) && other.is_free(own), "at {x}, {y}");
         }
+    }
+
+    /// Ink that grows costs what the same ink costs that was there from the beginning, wherever it lies, and nothing is entered
+    /// twice: the cells hold as many things.
+    #[test]
+    fn ink_that_grows_costs_what_it_costs_at_once() {
+        let pen = Pen::solid(0.25);
+        let mut frame = Group::default();
+        let corners = [(0.0, 0.0), (100.0, 0.0), (100.0, 60.0), (0.0, 60.0)].map(Point::from);
+        frame.mark(Mark::stroke(Shape::Polygon(corners.to_vec()), pen));
+        let mut grown = Obstacles::over(&Obstacles::of(&frame));
+        let mut whole = Group::default();
+        for i in 0..200 {
+            let at = Point::new(f64::from(i * 37 % 120) - 10.0, f64::from(i * 53 % 80) - 10.0);
+            let mut own = Group::default();
+            own.mark(Mark::stroke(Shape::Line(at, at + Vec2::new(7.0, 3.0)), pen));
+            own.mark(Mark::stroke(Shape::Circle { centre: at, radius: 1.5 }, pen));
+            let head = vec![at, at + Vec2::new(1.0, 0.4), at + Vec2::new(1.0, -0.4)];
+            own.mark(Mark { fill: Some(Tone::Ink), ..Mark::stroke(Shape::Polygon(head), pen) });
+            grown.extend(&own);
+            whole.group(own);
+        }
+        assert_eq!(grown.grid.entries(), {
+            let mut at_once = Obstacles::over(&Obstacles::of(&frame));
+            at_once.extend(&whole);
+            at_once.grid.entries()
+        });
+        let whole = Obstacles::of(&whole);
+        let mut costly = 0;
+        for (x, y) in (0..14).flat_map(|x| (0..10).map(move |y| (x, y))) {
+            let centre = (10.0 * f64::from(x) - 15.0, 9.0 * f64::from(y) - 12.0);
+            let own = Rect::from_center_size(centre, (4.6, 3.0));
+            let cost = whole.cost_up_to(own, f64::INFINITY);
+            assert_eq!(grown.cost_up_to(own, f64::INFINITY), cost, "at {centre:?}");
+            assert_eq!(grown.is_free(own), whole.is_free(own), "at {centre:?}");
+            costly += usize::from(cost > 0.0);
+        }
+        assert!(costly > 50, "{costly}");
     }
 
     /// Two lines close to each other are named from outside, each on its own side.

@@ -22,6 +22,9 @@ use crate::graphical::construction::{Act, Calculation, Claim, Construction, Cons
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Guide, Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
+/// An arc that costs more has no room, and is left out.
+const NO_ROOM: f64 = 400.0;
+
 /// Radius of a pin's circle.
 pub(super) const PIN: f64 = 1.1;
 /// Half length and half width of a slider.
@@ -910,10 +913,10 @@ impl Artist<'_> {
     fn rotations(&mut self, group: &mut Group, known: BTreeMap<(LinkId, bool), f64>, values: bool) {
         let mut all = Group::new("rotations");
         let ink = Obstacles::of(group);
-        let mut arcs = Obstacles::default();
+        let mut arcs = Obstacles::over(&ink);
         for ((link, second), value) in known {
             let Some((arc, cost)) = self.best_arc(&ink, &arcs, link, second) else { continue };
-            if cost > 400.0 {
+            if cost > NO_ROOM {
                 continue;
             }
             let quantity = if second { Quantity::Alpha(link) } else { Quantity::Omega(link) };
@@ -957,13 +960,17 @@ impl Artist<'_> {
             let pieces = 9;
             let least = best.as_ref().map_or(f64::INFINITY, |(_, least)| *least);
             for i in 0..=pieces {
-                if cost >= least {
+                if cost >= least || cost > NO_ROOM {
                     break;
                 }
                 let angle = turn.middle + turn.half * (f64::from(i) / f64::from(pieces) * 2.0 - 1.0);
                 let at = on_circle(turn.centre, turn.radius, angle);
                 let own = Rect::from_center_size(at, (1.0, 1.0));
                 cost += (ink.cost_up_to(own, 60.0) + arcs.cost_up_to(own, 60.0)).min(60.0);
+            }
+            // It only gets dearer: in a crowd most arcs are given up here.
+            if cost >= least || cost > NO_ROOM {
+                continue;
             }
             // Room for its name.
             let name = on_circle(turn.centre, turn.radius + 3.4, turn.middle);
