@@ -15,6 +15,8 @@ pub const ENTRIES: usize = 10_000;
 pub const VALUES: usize = 500_000;
 /// Knots of a table over an angle, areas of a diagram.
 pub const KNOTS: usize = 1_000;
+/// Quantities that a scene asks for by name; loads; springs.
+pub const ASKED: usize = 1_000;
 /// Folders inside one another.
 pub const FOLDERS: usize = 64;
 /// Files and folders that are looked at for scenes.
@@ -74,7 +76,11 @@ pub fn all() -> Vec<Limit> {
         limit("scene", "links, points, pairs of a kind", grouped(ENTRIES)),
         limit("scene", "numbers, SI", "10⁻⁶⁰ to 10⁶⁰, and 0".to_owned()),
         limit("scene", "other positions", grouped(POSITIONS)),
-        limit("scene", "knots of a table, areas of a diagram", grouped(KNOTS)),
+        limit(
+            "scene",
+            "names in `find`, loads, springs, knots of a table, areas of a diagram",
+            grouped(KNOTS),
+        ),
         limit("sweep", "steps", grouped(STEPS as usize)),
         limit("answers", "values, lengths and points together", grouped(ANSWERS)),
         limit("answers", "lengths and coordinates on paper", "1 km".to_owned()),

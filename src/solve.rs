@@ -459,9 +459,13 @@ fn without_the_impossible(
 ) -> Result<LeftOut, SolveError> {
     let mechanism = &scene.mechanism;
     let asked = Plan::new(mechanism, structure, Extent::Asked);
+    let needed: BTreeSet<usize> = asked.steps(Order::Position).iter().map(|step| step.group).collect();
+    if plan.steps(Order::Position).iter().all(|step| needed.contains(&step.group)) {
+        // Nothing is there that could be left out: what was found out once holds.
+        return Err(first.into());
+    }
     // What is asked is told of as if nobody wanted the rest.
     graphical::extents(mechanism, structure, &asked)?;
-    let needed: BTreeSet<usize> = asked.steps(Order::Position).iter().map(|step| step.group).collect();
     let mut groups = BTreeSet::new();
     loop {
         let planned = plan.steps(Order::Position).iter().map(|step| step.group);

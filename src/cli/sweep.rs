@@ -398,6 +398,10 @@ fn choose(scene: &mut Scene, names: &str) -> Result<(), Failure> {
             }
         }
     }
+    if chosen.is_empty() {
+        let what = "--only names no quantity; help: name some of `find`, as in --only \"v(B),omega(3)\"";
+        return Err(Failure(what.to_owned()));
+    }
     scene.mechanism.asked = chosen;
     Ok(())
 }

@@ -413,18 +413,15 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
 /// As [`extents`], without telling for which input a chain closes that does not close.
 pub(crate) fn seen(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
     let scales = planned_scales(mechanism, structure, plan);
+    // What was searched for without a tape is where it was with one.
+    let searched = Searched::default();
+    let drawn_on = |board: Board| -> Result<Extents, DrawError> {
+        let mut drawn = draw_departing(board, mechanism, structure, plan, scales, (&[], Some(&searched)))?;
+        verify::verify(&mut drawn)?;
+        Ok(measure(drawn.record(), mechanism, scales))
+    };
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
-    let bare = || -> Result<Extents, DrawError> {
-        let mut drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
-        verify::verify(&mut drawn)?;
-        Ok(measure(drawn.record(), mechanism, scales))
-    };
-    let taped = || -> Result<Extents, DrawError> {
-        let mut drawn = draw(Board::default(), mechanism, structure, plan, scales)?;
-        verify::verify(&mut drawn)?;
-        Ok(measure(drawn.record(), mechanism, scales))
-    };
-    bare().or_else(|_| taped())
+    drawn_on(Board::scratch()).or_else(|_| drawn_on(Board::default()))
 }
 
 /// The places of all points that a plan finds, metres in the world, drawn on a board without a tape.

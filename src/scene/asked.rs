@@ -7,6 +7,7 @@ use super::force_names::{self, FORCES};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Scale, Scales};
+use crate::limits::ASKED;
 use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Share};
 use crate::mechanism::quantity::{self, Asked, Method, Order, Quantity, Row, Unit};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -162,7 +163,7 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.mechanism.asked = everything(draft);
         return Ok(());
     };
-    for item in value.list("a list of names, such as [\"v(B)\", \"omega(3)\"]")? {
+    for item in value.at_most(ASKED, "a list of names, such as [\"v(B)\", \"omega(3)\"]")? {
         let asked = match &item.kind {
             Kind::Text(name) => asked(name, item.at, None, draft)?,
             Kind::Object(_) => {

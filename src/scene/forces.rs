@@ -8,6 +8,7 @@ use super::keys;
 use super::links::{index_of, own_coordinates};
 use super::rolls::free_letters;
 use super::units::{Measure, short};
+use crate::limits::ASKED;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
     Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Pressure, Size, Spring, SpringKind,
@@ -389,7 +390,7 @@ fn loads(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     let Some(value) = scene.get("loads") else { return Ok(()) };
     let mut curves = Curves { scene, read: Vec::new() };
     let mut loads: Vec<Load> = Vec::new();
-    for (index, item) in value.list("a list of loads")?.iter().enumerate() {
+    for (index, item) in value.at_most(ASKED, "a list of loads")?.iter().enumerate() {
         let fields = Fields::of(item, keys::LOAD, "a load: {\"on\": 4, \"at\": \"C\", \"force\": …}")?;
         let name = name(&fields, &format!("load {}", index + 1), draft)?;
         if loads.iter().any(|other| other.name == name) {
@@ -576,7 +577,7 @@ fn pointing(value: &Value<'_>, draft: &Draft<'_>) -> Res<Pointing> {
 fn springs(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
     let Some(value) = value else { return Ok(()) };
     let mut springs: Vec<Spring> = Vec::new();
-    for (index, item) in value.list("a list of springs")?.iter().enumerate() {
+    for (index, item) in value.at_most(ASKED, "a list of springs")?.iter().enumerate() {
         let fields = Fields::of(item, keys::SPRING, "a spring: {\"between\": […], \"stiffness\": …}")?;
         let name = name(&fields, &format!("spring {}", index + 1), draft)?;
         if springs.iter().any(|other| other.name == name) {

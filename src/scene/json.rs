@@ -272,6 +272,16 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// The items of a list of so many at most.
+    pub(crate) fn at_most(&self, most: usize, expected: &str) -> Res<&[Value<'a>]> {
+        let items = self.list(expected)?;
+        if items.len() > most {
+            let [count, most] = [items.len(), most].map(limits::grouped);
+            return Err(Fault::new(self.at, format!("{count} entries, more than {most}")));
+        }
+        Ok(items)
+    }
+
     pub(crate) fn object(&self, expected: &str) -> Res<&[Entry<'a>]> {
         match &self.kind {
             Kind::Object(entries) => Ok(entries),

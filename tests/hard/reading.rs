@@ -262,3 +262,44 @@ fn nothing_of_a_file_commands_the_terminal() {
         }
     }
 }
+
+/// What is asked for by name, loads and springs have an end that is told at once: what is computed for each of them goes
+/// through everything.
+#[test]
+fn lists_that_cost_for_each_entry_have_an_end() {
+    let scene: serde_json::Value = serde_json::from_str(SLIDER).unwrap();
+    let with = |key: &str, list: Vec<serde_json::Value>| {
+        let mut scene = scene.clone();
+        scene[key] = list.into();
+        scene::read(&scene.to_string(), "long.json").map(|_| ()).map_err(|error| error.to_string())
+    };
+    let names = |count: usize| vec![serde_json::json!("v(B)"); count];
+    assert_eq!(with("find", names(limits::ASKED)), Ok(()));
+    let told = with("find", names(limits::ASKED + 1)).unwrap_err();
+    assert!(told.contains("find: 1,001 entries, more than 1,000"), "{told}");
+    let load = |k: usize| serde_json::json!({"name": format!("L{k}"), "on": 3, "at": "B", "force": 5, "direction": k});
+    let told = with("loads", (0..=limits::ASKED).map(load).collect()).unwrap_err();
+    assert!(told.contains("loads: 1,001 entries, more than 1,000"), "{told}");
+    let spring = |k: usize| serde_json::json!({"name": format!("S{k}"), "links": [1, 3], "stiffness": 1});
+    let told = with("springs", (0..=limits::ASKED).map(spring).collect()).unwrap_err();
+    assert!(told.contains("springs: 1,001 entries, more than 1,000"), "{told}");
+}
+
+/// Where there is nothing that could be left out a sheet is refused by the same drawing as the numbers, and not by two more
+/// of another size: by how much the chain fails to close is told alike.
+#[test]
+fn a_sheet_is_refused_as_the_numbers_are() {
+    let yoke = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]},
+        "links": {"2": {"joins": ["C", "A"], "length": 50}, "4": {"joins": ["C"]}},
+        "slides": [{"link": 4, "on": {"link": 1, "through": [0, -30], "angle": 0}},
+                   {"pin": "A", "block": 3, "on": {"link": 4, "through": "C", "angle": 65}}],
+        "input": {"link": 2, "angle": 40, "omega": "10 rad/s ccw"}}"#;
+    let scene = scene::read(yoke, "yoke.json").unwrap();
+    let numbers = linkgram::solve::solve_numbers(&scene, linkgram::solve::Settings::default()).unwrap_err();
+    let sheet = linkgram::solve::solve(
+        &scene,
+        linkgram::plan::Extent::WholeSkeleton,
+        linkgram::sheet::scale::for_scene,
+    );
+    assert_eq!(sheet.unwrap_err(), numbers);
+}
