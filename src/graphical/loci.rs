@@ -76,8 +76,8 @@ impl Draughtsman<'_> {
         true
     }
 
-    /// A direction of a link's own figure and where it points, by rides on links that stand or whose own direction is found
-    /// so; `come_by` is the ride by which it is asked for.
+    /// A direction of a link's own figure and where it points, by the angle of its input, or by rides on links that stand or
+    /// whose own direction is found so; `come_by` is the ride by which it is asked for.
     pub(super) fn direction_by_rides(
         &mut self,
         link: LinkId,
@@ -86,6 +86,12 @@ impl Draughtsman<'_> {
     ) -> Option<(Direction, Direction)> {
         if deep == 0 {
             return None;
+        }
+        // Where the group is being tried, the angle is what may be left open.
+        if !self.tried.links.contains(&link)
+            && let Some(driven) = self.driven_direction(link)
+        {
+            return Some(driven);
         }
         for (ride, other) in self.rides_of(link) {
             if come_by == Some(ride) {

@@ -96,20 +96,8 @@ impl Draughtsman<'_> {
     /// A direction of a link's own figure and where it points on the skeleton, by its input or by a link against
     /// which it slides without turning.
     fn direction_by_places(&mut self, link: LinkId, deep: usize) -> Option<(Direction, Direction)> {
-        let angle = self.mechanism.inputs.iter().enumerate().find_map(|(index, input)| match *input {
-            Input::Angle { link: driven, angle, .. } | Input::Speed { link: driven, angle, .. }
-                if driven == link =>
-            {
-                angle.map(|angle| (index, angle))
-            }
-            _ => None,
-        });
-        if let Some((input, angle)) = angle {
-            let angle = self.board.input_angle(input, angle);
-            let along = self.board.protractor(angle);
-            let single = matches!(self.mechanism.link(link).form, Form::Single);
-            let own_along = if single { self.board.rightward() } else { self.own_line_of(link) };
-            return Some((own_along, along));
+        if let Some(driven) = self.driven_direction(link) {
+            return Some(driven);
         }
         if let Some((slide, pin)) = self.mechanism.arc_of_block(link) {
             // The own x-axis of a block on an arc is the radius, outward.
@@ -140,6 +128,24 @@ impl Draughtsman<'_> {
             return Some((x, x));
         }
         None
+    }
+
+    /// A direction of a driven link's own figure and where it points, where its input states the angle.
+    pub(super) fn driven_direction(&mut self, link: LinkId) -> Option<(Direction, Direction)> {
+        let (input, angle) =
+            self.mechanism.inputs.iter().enumerate().find_map(|(index, input)| match *input {
+                Input::Angle { link: driven, angle, .. } | Input::Speed { link: driven, angle, .. }
+                    if driven == link =>
+                {
+                    angle.map(|angle| (index, angle))
+                }
+                _ => None,
+            })?;
+        let angle = self.board.input_angle(input, angle);
+        let along = self.board.protractor(angle);
+        let single = matches!(self.mechanism.link(link).form, Form::Single);
+        let own_along = if single { self.board.rightward() } else { self.own_line_of(link) };
+        Some((own_along, along))
     }
 
     /// The slides by which a link slides on another without turning against it, with that other link.
