@@ -263,10 +263,29 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
         }
         DrawError::NotPlaced { point } => {
             let name = &scene.mechanism.point(*point).name;
+            let what = match scene.mechanism.rolls.is_empty() {
+                true => format!("nothing that the scene says leads to the place of {name}"),
+                false => format!("rolling does not say where {name} stands"),
+            };
             (
                 Subject::Point(*point),
-                format!("ambiguous: rolling does not say where {name} stands"),
+                format!("ambiguous: {what}"),
                 format!("say it, as in \"placed\": {{ \"{name}\": [0, 0] }}"),
+            )
+        }
+        DrawError::NoAngle { input } => {
+            let driven = match scene.mechanism.inputs[*input] {
+                Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                    format!("link {}", scene.mechanism.link(link).number)
+                }
+                Input::Slide { .. } => "a slide".to_owned(),
+            };
+            (
+                Subject::Input(*input),
+                format!("ambiguous: {driven} is driven, and nothing says at which angle it stands"),
+                "say it in the input, as in \"angle\": 0: the angle of the line between the link's first two joints; of a \
+                 link of one joint that of its own x-axis, which lies along the guide on which it rides"
+                    .to_owned(),
             )
         }
         DrawError::ComesApart { roll, how } => (

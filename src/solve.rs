@@ -108,7 +108,9 @@ impl SolveError {
             Self::Draw(
                 DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
             ) => Some(Refusal::CannotAssemble),
-            Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
+            Self::Draw(
+                DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. } | DrawError::NoAngle { .. },
+            ) => Some(Refusal::Ambiguous),
             Self::Stuck { how: Stuck::Locked, .. }
             | Self::Indeterminate { why: Indeterminate::Rubbing { how: Stuck::Locked, .. }, .. } => {
                 Some(Refusal::Locked)

@@ -244,7 +244,9 @@ fn refused(error: SolveError) -> Flaw {
             | DrawError::ComesApart { .. },
         )
         | SolveError::Position(_) => Flaw::CannotAssemble,
-        SolveError::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Flaw::OtherAssembly,
+        SolveError::Draw(
+            DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. } | DrawError::NoAngle { .. },
+        ) => Flaw::OtherAssembly,
         SolveError::Indeterminate { name, .. } | SolveError::Unanswered { name, .. } => {
             Flaw::Undetermined { name }
         }

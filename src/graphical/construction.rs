@@ -698,6 +698,8 @@ pub struct CircleDiagram {
     pub centres: Vec<Centre>,
     /// Wanted centres to which no construction led.
     pub stalled: Vec<[LinkId; 2]>,
+    /// Those among them whose links do not move against each other: there is no centre.
+    pub still: Vec<[LinkId; 2]>,
     /// The velocities that were asked for by a method of centres.
     pub transfers: Vec<Transfer>,
 }
@@ -751,7 +753,17 @@ impl fmt::Display for CircleExplanation<'_> {
             writeln!(f, "kept    centre {}: {how}", name(centre.links))?;
         }
         for &stalled in &self.circle.stalled {
-            writeln!(f, "stalled centre {}: no two triangles lead to it", name(stalled))?;
+            let [i, j] = stalled;
+            if self.circle.still.contains(&stalled) {
+                let (i, j) = (number(i), number(j));
+                writeln!(
+                    f,
+                    "stalled centre {}: links {i} and {j} do not move against each other",
+                    name(stalled)
+                )?;
+            } else {
+                writeln!(f, "stalled centre {}: no two triangles lead to it", name(stalled))?;
+            }
         }
         let found = self.circle.centres.len() + self.circle.stalled.len();
         writeln!(

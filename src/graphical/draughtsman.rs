@@ -543,6 +543,8 @@ impl<'m> Draughtsman<'m> {
     /// Notes the centres at which the circle diagram stalls.
     pub(super) fn note_stalled(&mut self, stalled: Vec<[LinkId; 2]>) {
         if let Some(circle) = &mut self.record.circle {
+            circle.still =
+                stalled.iter().copied().filter(|links| self.centres.still.contains(links)).collect();
             circle.stalled = stalled;
         }
     }

@@ -130,6 +130,12 @@ pub enum DrawError {
         /// The point.
         point: PointId,
     },
+    /// A driven link of one joint whose input states no angle: nothing says how it stands, nor what depends on it.
+    #[error("the driven link's input states no angle")]
+    NoAngle {
+        /// The input, by index.
+        input: usize,
+    },
     /// A point cannot be drawn from what the scene states of its place.
     #[error("a stated place cannot be drawn")]
     Unplaced {

@@ -55,7 +55,12 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
     let begun = d.skeleton();
     match draw_groups(d, plan) {
         // What is driven need not stand by its input, nor a group by its dyads: places may tell it from the other end.
-        Err(error @ (DrawError::Missing(_) | DrawError::NotPlaced { .. } | DrawError::NoClosure { .. })) => {
+        Err(
+            error @ (DrawError::Missing(_)
+            | DrawError::NotPlaced { .. }
+            | DrawError::NoAngle { .. }
+            | DrawError::NoClosure { .. }),
+        ) => {
             d.back_to(&begun);
             let led = d.lead_by_places();
             let found = d.skeleton();

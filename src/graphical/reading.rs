@@ -45,6 +45,9 @@ pub(super) struct ReadOff {
 /// Marks and values of a read quantity, or why there are none.
 pub(super) type Marked = Result<Vec<(u32, f64)>, &'static str>;
 
+/// Why there is no centre of two links whose velocities show none of the one against the other.
+const STILL: &str = "the two links do not move against each other";
+
 /// Longer than any sheet, mm.
 const SHEET: f64 = 1e5;
 
@@ -55,15 +58,18 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
         read.iter().map(|read| read.numbers.iter().flatten().map(|(mark, _)| *mark).collect()).collect();
     let judged = d.board.tape().judged(&slots.concat());
     let mut judged = judged.as_slice();
-    let quantities = d.mechanism.asked.iter().map(|asked| asked.quantity);
+    let asked = d.mechanism.asked.iter().map(|asked| asked.quantity);
     let readings = read
         .into_iter()
         .zip(&slots)
-        .zip(quantities)
+        .zip(asked)
         .map(|((read, slots), quantity)| {
             let (own, rest) = judged.split_at(slots.len());
             judged = rest;
-            let (answer, fine) = d.answer(&read, own);
+            let (answer, fine) = match (quantity, read.numbers.as_ref()) {
+                (Quantity::Centre(i, j), Err(&STILL)) => (d.no_centre(i, j), None),
+                _ => d.answer(&read, own),
+            };
             // What is no force has no line; what it turns by no more than its bound on an arm as long as the sheet is none.
             let none = if let Answer::Vector { bound, .. } = answer {
                 answer.may_be_zero().then_some(bound)
@@ -608,13 +614,23 @@ impl Draughtsman<'_> {
         [self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])]
     }
 
+    /// Why two links that do not move against each other have no centre, with their numbers.
+    fn no_centre(&self, i: LinkId, j: LinkId) -> Answer {
+        let [i, j] = [i, j].map(|link| self.mechanism.link(link).number);
+        let why = format!("links {i} and {j} do not move against each other");
+        Answer::Indeterminate(Indeterminate::Undefined { why })
+    }
+
     /// An instant centre: its place in the world, or the direction in which it lies at infinity.
     fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read {
         if i == j {
             return Read::Undefined("a link has no motion against itself");
         }
         let Some(&centre) = self.centres.known.get(&chord(i, j)) else {
-            return Read::Undefined("no two triangles of the circle diagram lead to this centre");
+            return Read::Undefined(match self.centres.still.contains(&chord(i, j)) {
+                true => STILL,
+                false => "no two triangles of the circle diagram lead to this centre",
+            });
         };
         let reason = self.reason(&[i, j]);
         match self.board.locate(centre, reason) {

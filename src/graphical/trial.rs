@@ -406,6 +406,13 @@ impl<'m> Draughtsman<'m> {
             }
         }
         if rolls || trial.drivers.len() > 1 {
+            let untold = |&(_, closing): &(TrialDriver, Closing)| match closing {
+                Closing::Angle { input, .. } if !self.says_where(closing) => Some(input),
+                _ => None,
+            };
+            if let Some(input) = trial.drivers.iter().find_map(untold) {
+                return Err(DrawError::NoAngle { input });
+            }
             let point = loose.or_else(|| points.into_iter().find(|p| !exact(p)));
             return Err(point.map_or_else(
                 || DrawError::NoConstruction { links: self.links_of_trial(trial) },

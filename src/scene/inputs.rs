@@ -242,8 +242,19 @@ fn named_slide(value: &Value<'_>, draft: &Draft<'_>) -> Res<usize> {
                 fault.mend(format!("what slides: {}", named.join(", ")))
             })
         }
-        [..] => Err(Fault::new(value.at, "this slides on two guides")
-            .mend("name the pair by the number of its block (give each pair a `block` of its own)")),
+        [first, ..] => {
+            let fault = Fault::new(value.at, "this slides on two guides");
+            Err(match slides[*first].rider {
+                Rider::Pin { .. } => {
+                    fault.mend("name the pair by the number of its block (give each pair a `block` of its own)")
+                }
+                // A link is no block: its number is the only name of both pairs.
+                Rider::Link { .. } => fault.mend(
+                    "a link that rides on two guides cannot be driven along one of them: drive a link in its place, \
+                     as in {\"link\": 2, \"omega\": 1}",
+                ),
+            })
+        }
     }
 }
 

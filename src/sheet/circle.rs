@@ -217,7 +217,11 @@ pub fn items(circle: &CircleDiagram, notation: &Notation<'_>) -> Vec<(Item, Opti
     }
     for stalled in &circle.stalled {
         let parts = [("centre", name(*stalled, notation))];
-        all.push((Item::Sentence(Rich::fill(words.centre_stalled, &parts)), None));
+        let told = match circle.still.contains(stalled) {
+            true => words.centre_still,
+            false => words.centre_stalled,
+        };
+        all.push((Item::Sentence(Rich::fill(told, &parts)), None));
     }
     all
 }

@@ -321,6 +321,7 @@ pub struct Words {
     /// The same where the mechanism rests.
     pub centre_at_rest: &'static str,
     pub centre_stalled: &'static str,
+    pub centre_still: &'static str,
 
     // Velocities from centres.
     pub transfer_figure: &'static str,
@@ -781,6 +782,7 @@ const ENGLISH: Words = Words {
     centre_by_velocity: "{centre}: the circle diagram stalls here. The centre lies on the normal to {velocity} through {point}, at the distance {velocity} / {omega}, both from the velocity diagram.",
     centre_at_rest: "{centre}: the circle diagram stalls here, and the mechanism rests. With an assumed motion of its input the centre lies on the normal to {velocity} through {point}, at the distance {velocity} / {omega}.",
     centre_stalled: "{centre}: no two triangles lead to it.",
+    centre_still: "{centre}: the two links do not move against each other; they have no centre.",
 
     transfer_figure: "Velocities from instant centres",
     by_method: "by {methods}",
@@ -1244,6 +1246,7 @@ const ARABIC: Words = Words {
     centre_by_velocity: "المركز {centre}: يتوقف مخطط الدائرة هنا. يقع المركز على الناظم على {velocity} المار من {point} وعلى بعد {velocity} / {omega}، وكلتاهما من مخطط السرعة.",
     centre_at_rest: "المركز {centre}: يتوقف مخطط الدائرة هنا والآلية ساكنة. بفرض حركة للدخل يقع المركز على الناظم على {velocity} المار من {point} وعلى بعد {velocity} / {omega}.",
     centre_stalled: "المركز {centre}: لا يؤدي إليه أي مثلثين.",
+    centre_still: "المركز {centre}: لا تتحرك إحدى الوصلتين بالنسبة إلى الأخرى، فلا مركز لهما.",
     transfer_figure: "السرعات من المراكز اللحظية",
     by_method: "بطريقة {methods}",
     method_centres: "المراكز",
@@ -1752,6 +1755,7 @@ const PERSIAN: Words = Words {
     centre_by_velocity: "مرکز {centre}: نمودار دایره‌ای اینجا متوقف می‌شود. مرکز روی عمود بر {velocity} در {point} و به فاصلهٔ {velocity} / {omega} است که هر دو از دیاگرام سرعت به دست می‌آیند.",
     centre_at_rest: "مرکز {centre}: نمودار دایره‌ای اینجا متوقف می‌شود و مکانیزم ساکن است. با فرض حرکت ورودی، مرکز روی عمود بر {velocity} در {point} و به فاصلهٔ {velocity} / {omega} است.",
     centre_stalled: "مرکز {centre}: هیچ دو مثلثی به آن نمی‌رسد.",
+    centre_still: "مرکز {centre}: دو عضو نسبت به هم حرکت نمی‌کنند و مرکزی ندارند.",
     transfer_figure: "سرعت‌ها از مراکز آنی",
     by_method: "به روش {methods}",
     method_centres: "مراکز آنی",

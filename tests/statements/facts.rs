@@ -94,3 +94,78 @@ fn the_number_of_a_block_in_quotes_is_told() {
     let told = scene::read(text, "slide.json").unwrap_err().to_string();
     assert!(told.contains("without quotes"), "{told}");
 }
+
+/// What is told of a scene that is not solved.
+fn refusal(text: &str) -> String {
+    let scene = match scene::read(text, "scene.json") {
+        Ok(scene) => scene,
+        Err(error) => return error.to_string(),
+    };
+    let refused = solve(&scene, Extent::Asked, scale::for_scene).map(|_| ()).unwrap_err();
+    report::diagnose(&scene, &refused).to_string()
+}
+
+/// Nothing rolls, and a place is not what is missing: the slider's input states no angle. With it, the guide lies along
+/// that angle, and A where a circle of 2 m about O2 meets the line through O4.
+#[test]
+fn a_driven_slider_on_a_swivel_needs_the_angle_of_its_input() {
+    let text = |angle: &str| {
+        format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": [5, 0] }}, "near": {{ "A": [1, 1.7] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 2 }}, "3": {{ "joins": ["A"] }}, "4": {{ "joins": ["O4"] }} }},
+            "slides": [{{ "link": 3, "on": {{ "link": 4, "through": "O4" }} }}],
+            "input": {{ "link": 3, {angle} "omega": 10 }}, "find": ["x(A)"] }}"#
+        )
+    };
+    let told = refusal(&text(""));
+    assert!(told.contains("link 3 is driven") && told.contains("\"angle\""), "{told}");
+    assert!(!told.contains("rolling"), "{told}");
+    let scene = scene::read(&text(r#""angle": 160,"#), "scene.json").unwrap();
+    let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+    let linkgram::mechanism::quantity::Answer::Vector { value: [x, y], .. } =
+        *solved.answer(&scene, "x(A)").unwrap()
+    else {
+        panic!("no place")
+    };
+    let (sin, cos) = libm::sincos(160.0_f64.to_radians());
+    assert!((x * x + y * y - 4.0).abs() < 1e-9, "{x} {y}");
+    assert!(((x - 5.0) * sin - y * cos).abs() < 1e-9, "{x} {y}");
+}
+
+/// A link is no block: it cannot have one of its own for each guide.
+#[test]
+fn a_link_that_rides_on_two_guides_is_not_told_to_have_blocks() {
+    let text = r#"{ "fixed": { "O2": [0, 0], "O4": [4, 0] }, "placed": { "C": [3, 2], "D": [4, 3] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 2 }, "3": { "joins": ["O4", "B"], "length": 2 },
+                   "4": { "joins": ["C", "D"] } },
+        "slides": [{ "link": 4, "on": { "link": 2, "through": "O2", "toward": "A" } },
+                   { "link": 4, "on": { "link": 3, "through": "O4", "toward": "B" } }],
+        "input": { "slide": 4, "velocity": 1 }, "find": ["v(C)"] }"#;
+    let told = refusal(text);
+    assert!(told.contains("slides on two guides") && told.contains("drive a link"), "{told}");
+    assert!(!told.contains("block"), "{told}");
+}
+
+/// Two sliders on parallel guides that a rod holds apart: both go with the same velocity, and have no centre.
+#[test]
+fn links_that_do_not_move_against_each_other_have_no_centre() {
+    let text = r#"{ "placed": { "A": [0, 0], "B": [3, 1] }, "links": { "2": { "joins": ["A", "B"] } },
+        "slides": [{ "pin": "A", "block": 3, "on": { "link": 1, "through": [0, 0], "angle": 0 } },
+                   { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 1], "angle": 0 } }],
+        "input": { "slide": "A", "velocity": 2 }, "find": ["I(3,4)", "I(2,3)", "I(4,3)"] }"#;
+    let scene = scene::read(text, "scene.json").unwrap();
+    let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+    let analytic = solve_analytically(&scene);
+    let found = agreement(&scene, &solved, &analytic);
+    assert!(found.ok(), "{:e}", found.worst_ratio());
+    for (index, told) in [(0, "links 3 and 4"), (2, "links 4 and 3")] {
+        let compared = &found.compared[index];
+        for answer in [&compared.graphical.answer, &compared.analytic] {
+            let why = match answer {
+                linkgram::mechanism::quantity::Answer::Indeterminate(why) => why.to_string(),
+                other => panic!("{other:?}"),
+            };
+            assert_eq!(why, format!("{told} do not move against each other"));
+        }
+    }
+}

@@ -16,7 +16,7 @@ mod search;
 mod velocities;
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::board::{Amount, HomogeneousLine, HomogeneousPoint, Location, Point};
 use crate::given::Given;
@@ -38,6 +38,8 @@ pub(super) use velocities::{FromCentres, NO_INPUT, Why};
 pub(super) struct Centres {
     /// By their links.
     pub(super) known: BTreeMap<Chord, HomogeneousPoint>,
+    /// Those of links that do not move against each other, as their velocities show: there are none.
+    pub(super) still: BTreeSet<Chord>,
     normals: BTreeMap<Chord, (usize, HomogeneousLine)>,
 }
 
@@ -49,6 +51,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
         wanted: plan.wanted.iter().copied().collect(),
         centres: Vec::new(),
         stalled: Vec::new(),
+        still: Vec::new(),
         transfers: Vec::new(),
     });
     d.board.purpose("instant centres");
@@ -337,7 +340,10 @@ impl Draughtsman<'_> {
         let velocity = self.board.between(under, image).map(|mm| self.board.read(mm, paper));
         let omega = self.board.difference(own, other);
         let at = self.at(point);
-        let Some(centre) = self.board.on_normal(at, velocity, omega, scale) else { return false };
+        let Some(centre) = self.board.on_normal(at, velocity, omega, scale) else {
+            self.centres.still.insert(links);
+            return false;
+        };
         self.centre_found(
             links,
             centre,
