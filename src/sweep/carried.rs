@@ -19,6 +19,9 @@ pub struct Skeleton {
     pub swivelling: Vec<(LinkId, [Dual; 2])>,
 }
 
+/// A turn, with what rounding adds to it, radians.
+const TURN: f64 = std::f64::consts::TAU * (1.0 + 8.0 * f64::EPSILON);
+
 /// An error of a sweep is an estimate: a place is known within so many of them.
 const ERRORS: f64 = 8.0;
 
@@ -56,15 +59,40 @@ impl Sweep {
     }
 
     /// The same for whoever does not draw it: a link of one joint that swivels has a second one near its x-axis. At the
-    /// scene's own instant that axis points towards the rider; where this has passed the joint since, it points away.
+    /// scene's own instant that axis points towards the rider; where this has passed the joint since, it points away. There it is
+    /// the mechanism as the scene states it, and whoever solves it chooses the assembly for himself.
     #[must_use]
     pub fn marked_at(&self, at: f64) -> Option<Mechanism> {
-        if self.is_carried_along() && at == self.start {
-            return Some(self.placed.clone());
+        if at == self.start
+            && let Some(stated) = self.as_stated()
+        {
+            return Some(stated);
         }
         let (mut mechanism, skeleton) = self.moved_on_to(at)?;
         for (link, axis) in &skeleton.swivelling {
             point_along(&mut mechanism, &skeleton, *link, axis.map(|part| part.value));
+        }
+        Some(mechanism)
+    }
+
+    /// The mechanism as the scene states it, at the place where the sweep has the scene's own. `None` where only the sweep says
+    /// how often an input that states no angle has gone round.
+    fn as_stated(&self) -> Option<Mechanism> {
+        let mut mechanism = self.placed.clone();
+        if self.is_carried_along() {
+            return Some(mechanism);
+        }
+        let (_, variable, _) = &self.ready;
+        if let &Variable::Input(swept) = variable {
+            match mechanism.inputs.get(swept)? {
+                Input::Angle { angle: Some(_), .. }
+                | Input::Speed { angle: Some(_), .. }
+                | Input::Slide { at: Some(_), .. } => prepare::lead(&mut mechanism, variable, self.start),
+                Input::Angle { .. } | Input::Speed { .. } if self.range[1] - self.range[0] > TURN => {
+                    return None;
+                }
+                _ => {}
+            }
         }
         Some(mechanism)
     }

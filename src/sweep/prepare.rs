@@ -565,7 +565,10 @@ pub(super) fn range(
     // Rounding may put it a hair's breadth beyond.
     let start = if whole { start.clamp(range[0], range[1]) } else { start };
     if !(range[0]..=range[1]).contains(&start) {
-        return Err(SweepError::Range("the scene's own position must lie in the range".to_owned()));
+        return Err(SweepError::Range(
+            "the scene's own position must lie in the range: from there on the sweep knows which assembly is meant"
+                .to_owned(),
+        ));
     }
     Ok((range, start, whole))
 }
