@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// A folder that goes away with the test.
 struct Folder(PathBuf);
@@ -71,6 +71,30 @@ fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
 
 pub(crate) fn run(arguments: &[&str]) -> Ran {
     run_in(common::root(), arguments, None)
+}
+
+/// A range begins or ends where the scene stands, in the same digits: that place is in it, whatever degrees are rounded to.
+#[test]
+fn a_range_may_end_at_the_scenes_own_place() {
+    for own in [241.75, -85.53, -68.56, 17.31, 203.9] {
+        let scene = json!({
+            "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [100, 0] },
+            "links": {
+                "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 90 },
+                "4": { "joins": ["O4", "B"], "length": 70 }
+            },
+            "near": { "B": [90, 65] }, "input": { "link": 2, "angle": own, "omega": "1 rad/s" }, "find": ["x(B)"]
+        });
+        for [from, to] in [[own, own + 40.0], [own - 40.0, own]] {
+            let range = [format!("--from={from}"), format!("--to={to}")];
+            let arguments = ["sweep", "-", &range[0], &range[1], "--steps", "2"];
+            let ran = run_in(common::root(), &arguments, Some(scene.to_string().as_bytes()));
+            assert!(ran.code == 0, "{own}: {}", ran.err);
+            let rows: Vec<&str> =
+                ran.out.lines().filter(|line| line.ends_with(|c: char| c.is_ascii_digit())).collect();
+            assert!(rows.len() >= 3, "{own}: {}", ran.out);
+        }
+    }
 }
 
 fn solve_json(text: &str) -> (i32, Value) {

@@ -556,14 +556,17 @@ pub(super) fn range(
         }
     };
     let whole = matches!(input, InputKind::Angle(_)) && range[1] - range[0] == turn;
+    // The end of a range and the scene's own place are read by different roundings.
+    let hair = 8.0 * f64::EPSILON * range[0].abs().max(range[1].abs()).max(start.abs());
     let start = match input {
         // Where the range is longer than a turn, how often the input has gone round may matter.
         InputKind::Angle(_) if !whole && (range[0]..=range[1]).contains(&start) => start,
-        InputKind::Angle(_) => start + turn * ((range[0] - start) / turn).ceil(),
+        InputKind::Angle(_) => start + turn * ((range[0] - hair - start) / turn).ceil(),
         InputKind::Slide(_) | InputKind::Time => start,
     };
     // Rounding may put it a hair's breadth beyond.
-    let start = if whole { start.clamp(range[0], range[1]) } else { start };
+    let own_end = (range[0] - hair..=range[1] + hair).contains(&start);
+    let start = if whole || own_end { start.clamp(range[0], range[1]) } else { start };
     if !(range[0]..=range[1]).contains(&start) {
         return Err(SweepError::Range(
             "the scene's own position must lie in the range: from there on the sweep knows which assembly is meant"
