@@ -1127,6 +1127,82 @@ fn nothing_stands_outside_of_the_paper() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// The parts of the steps of a sheet in their order: class, page and the height at which each begins.
+fn strips_of(figure: &Figure) -> Vec<(&'static str, usize, f64)> {
+    let pages: Vec<&Group> = within(&figure.root).into_iter().filter(|group| has(group, "page")).collect();
+    let of_page = |(page, group): (usize, &&Group)| {
+        let strips = group.children.iter().filter_map(|node| match node {
+            Node::Group(own) => {
+                let class = ["step-head", "sentence", "terms"].into_iter().find(|class| has(own, class))?;
+                Some((class, page, own.bounds()?.y0))
+            }
+            _ => None,
+        });
+        strips.collect::<Vec<_>>()
+    };
+    pages.iter().enumerate().flat_map(of_page).collect()
+}
+
+/// A head does not stand over a single line at the end of a column, nor does the last line of a step stand alone on top of
+/// the next.
+#[test]
+fn no_line_of_a_step_stands_alone() {
+    let (mut alone, mut breaks) = (Vec::new(), 0);
+    for (name, figure) in all() {
+        let strips = strips_of(&figure);
+        let class = |i: usize| strips.get(i).map(|strip| strip.0);
+        for i in 1..strips.len() {
+            let ((_, page, y), (_, next, below)) = (strips[i - 1], strips[i]);
+            if page == next && below > y {
+                continue;
+            }
+            breaks += 1;
+            if class(i) == Some("step-head") {
+                continue;
+            }
+            let head = i >= 2 && class(i - 1) == Some("sentence") && class(i - 2) == Some("step-head");
+            let last = class(i) == Some("sentence") && matches!(class(i + 1), None | Some("step-head"));
+            if head || last || class(i - 1) == Some("step-head") {
+                alone.push(format!(
+                    "{name}: pages {} and {}, part {i} of {}",
+                    page + 1,
+                    next + 1,
+                    strips.len()
+                ));
+            }
+        }
+    }
+    assert!(breaks > 200, "{breaks}");
+    assert!(alone.is_empty(), "{} of {breaks}: {alone:#?}", alone.len());
+}
+
+fn drawn(text: &str, kind: linkgram::drawing::Kind) -> Figure {
+    use linkgram::drawing::{Wish, figure};
+    figure(&common::read(text), &Wish { kind, ..Wish::default() }).unwrap()
+}
+
+/// Drawings that are higher than wide stand side by side under captions of two lines, and steps are kept for the pages of
+/// the last ones; in a step sheet pictures stand below their words in columns where half of the pages would be blank.
+#[test]
+fn pages_before_the_last_are_not_half_blank() {
+    use linkgram::drawing::Kind;
+    let lift = r#"{ "title": "Lift", "units": { "length": "cm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 8 }, "3": { "joins": ["A", "B"], "length": 26 },
+            "4": { "joins": ["B", "H"], "shape": { "B": [0, 0], "H": [5, -12] } } },
+        "slides": [{ "link": 4, "on": { "link": 1, "through": [3, 0], "angle": 90 } }],
+        "near": { "B": [3, 30] }, "gravity": {}, "masses": { "4": { "mass": 12, "at": "H" } },
+        "input": { "link": 2, "angle": 20, "omega": "40 rpm ccw" }, "find": ["T(2)", "F(1,4)", "F(3,4)"] }"#;
+    let rack = std::fs::read_to_string("examples/pairs/rack-on-moving-guide.json").unwrap();
+    for (text, kind, most) in [(lift, Kind::Solution, 4), (&rack, Kind::Steps, 6)] {
+        let figure = drawn(text, kind);
+        let fills: Vec<f64> = pages(&figure).into_iter().map(|(fill, _)| fill).collect();
+        assert!(fills.len() <= most, "{fills:?}");
+        assert!(fills[..fills.len() - 1].iter().all(|fill| *fill > 0.6), "{fills:?}");
+        let touching = overlaps(&figure);
+        assert!(touching.is_empty(), "{touching:#?}");
+    }
+}
+
 /// The question of a governor shows its axis of rotation; a spring on the frame hangs on the ground.
 #[test]
 fn a_governor_has_its_axis_and_a_spring_its_ground() {

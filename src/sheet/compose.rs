@@ -1,5 +1,7 @@
 //! The page: panels with captions, tables and steps, on as many A4 pages as they need.
 
+use std::cmp::Ordering;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::cycle::CyclePanel;
@@ -36,6 +38,8 @@ const LEADING: f64 = 4.9;
 pub(super) const ARABIC_LEADING: f64 = 5.5;
 /// What is on a last page and fills less of it than this is taken back to those before where they can be set tighter.
 const LEAST_LAST: f64 = 0.36;
+/// So much of a page before the last may be left blank, of what is within the margins.
+const MOST_BLANK: f64 = 0.25;
 /// How much nearer lines may stand to each other for that.
 const TIGHTER: [f64; 4] = [0.97, 0.94, 0.91, 0.88];
 /// Blank between the letters of two lines, at least.
@@ -46,6 +50,9 @@ const LEAST_COLUMN: f64 = 28.0;
 const TALLEST_BESIDE: f64 = 112.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
+/// So few lines of a step are no end of a sheet, and what they cost, in pages.
+const MOST_TORN: usize = 4;
+const LINES_OF_A_STEP: f64 = 0.15;
 /// So many steps at most are held back for a last page.
 const MOST_HELD: usize = 6;
 /// A column of the steps is no narrower, except in a pair.
@@ -58,10 +65,31 @@ const MOST_SPREAD: f64 = 7.0;
 const LEAST_FILLED: f64 = 26.0;
 /// Blank between the pictures of steps, and less where that saves a page.
 const BETWEEN_STEPS: [f64; 4] = [8.0, 6.0, 4.0, 2.5];
+/// Blank between the words of a step and the picture below them.
+const ABOVE_PICTURE: f64 = 4.0;
+/// From the margin to where a page begins that goes on.
+const BELOW_RUNNING_TITLE: f64 = 7.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
 const GUTTER: f64 = 8.0;
+
+/// A result table before the drawings, beside the skeleton, and one below them all.
+type Way<'a> = (Option<&'a Table>, Option<&'a Table>);
+
+/// Last steps that do not fill the room below earlier drawings.
+#[derive(Debug, Clone, Copy)]
+enum Held {
+    /// So many go on where the others end, below all drawings.
+    Back(usize),
+    /// So many begin a page of their own.
+    Apart(usize),
+}
+
+impl Held {
+    /// None.
+    const NONE: Self = Self::Back(0);
+}
 
 /// The names of the figures.
 #[must_use]
@@ -124,7 +152,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     // All results beside the skeleton, or those of velocity there and the others below the panels, or all below these.
     let (whole, slow, fast) =
         (of(&ORDERS), of(&[Order::Position, Order::Velocity]), of(&[Order::Acceleration]));
-    let mut ways: Vec<(Option<&Table>, Option<&Table>)> = Vec::new();
+    let mut ways: Vec<Way<'_>> = Vec::new();
     if fits(&whole) {
         ways.push((Some(&whole), None));
     } else if fits(&slow) {
@@ -135,8 +163,11 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     if !fits(&whole) && !whole.rows.is_empty() && whole.rows.len() <= whole.rows_in(TALLEST_BESIDE) {
         ways.push((Some(&whole), None));
     }
-    let drawn: Vec<Block> = drawn.into_iter().map(|(_, block)| block).collect();
-    let set = |(first, rest): (Option<&Table>, Option<&Table>), tight: f64, held: usize| {
+    let slim = || -> Vec<Block> {
+        drawn.iter().filter_map(|(panel, _)| panel.slim_block(construction, &notation)).collect()
+    };
+    let usual: Vec<Block> = drawn.iter().map(|(_, block)| block.clone()).collect();
+    let set_of = |drawn: &[Block], (first, rest): Way<'_>, tight: f64, held: Held| {
         // Beside the skeleton, which is the first of them.
         let first = first.map(|table| table.draw("results", 0, table.rows.len()));
         let mut all = drawn.iter().cloned();
@@ -144,16 +175,25 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
         pager.heading(&given);
         pager.tell(&steps);
+        let held_back = pager.hold(held);
         pager.rows(&blocks);
         if let Some(table) = rest {
             pager.results(table);
         }
-        pager.steps_but(held);
+        pager.steps();
+        if !held_back.is_empty() {
+            if matches!(held, Held::Apart(_)) {
+                pager.page();
+            }
+            pager.waiting = held_back;
+            pager.steps();
+        }
         pager
     };
+    let set = |way: Way<'_>, tight: f64, held: Held| set_of(&usual, way, tight, held);
     let lost = |pager: &Pager| pager.pages.len() > 1 && pager.y - MARGIN < LEAST_LAST * height;
     let first = ways[0];
-    let mut best = set(first, 1.0, 0);
+    let mut best = set(first, 1.0, Held::NONE);
     if lost(&best) {
         // Some lines alone on a last page are taken back: the lines of all pages stand a little nearer to each other, or the
         // results elsewhere.
@@ -162,7 +202,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         let tighter = if words.right_to_left { &TIGHTER[..2] } else { &TIGHTER[..] };
         let closer = tighter.iter().flat_map(|tight| ways.iter().map(|way| (*way, *tight)));
         for (way, tight) in others.chain(closer) {
-            let other = set(way, tight, 0);
+            let other = set(way, tight, Held::NONE);
             if !lost(&other) && other.pages.len() <= best.pages.len() {
                 best = other;
                 break;
@@ -173,9 +213,25 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
             if !lost(&best) {
                 break;
             }
-            let other = set(first, 1.0, held);
+            let other = set(first, 1.0, Held::Apart(held));
             if !lost(&other) && other.pages.len() == best.pages.len() {
                 best = other;
+            }
+        }
+    }
+    // Where pages are still left half blank: captions broken into lines, so that more drawings stand side by side, and steps
+    // kept for the pages of later drawings.
+    if best.blank_of_pages() > 0.0 {
+        let slim = slim();
+        for blocks in [&usual, &slim] {
+            for way in &ways {
+                let held = (0..=MOST_HELD).map(Held::Back).chain((1..=MOST_HELD).map(Held::Apart));
+                for held in held {
+                    let other = set_of(blocks, *way, 1.0, held);
+                    if other.better_than(&best) {
+                        best = other;
+                    }
+                }
             }
         }
     }
@@ -438,7 +494,7 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
     let width = width.max(blocks().map(|b| b.width).fold(0.0, f64::max) + 2.0 * MARGIN);
     let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + 4.0 * MARGIN);
     let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Panel::Centres));
-    let set = |gap: f64, break_before: Option<usize>| {
+    let beside = |gap: f64, break_before: Option<usize>| {
         let mut pager = Pager { gap, ..Pager::new(width, height, title(scene, words), words) };
         pager.heading(&given::paragraph(&notation));
         for (i, (piece, pictures)) in drawn.iter().enumerate() {
@@ -455,16 +511,46 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
     };
     // Some steps alone on a last page are taken back, all a little nearer to each other.
     let lost = |pager: &Pager| pager.pages.len() > 1 && pager.y - MARGIN < LEAST_LAST * height;
-    let loose = set(BETWEEN_STEPS[0], None);
-    let closer = BETWEEN_STEPS[1..].iter().filter(|_| lost(&loose)).map(|gap| set(*gap, None));
+    let loose = beside(BETWEEN_STEPS[0], None);
+    let closer = BETWEEN_STEPS[1..].iter().filter(|_| lost(&loose)).map(|gap| beside(*gap, None));
     let fewer = closer.into_iter().find(|pager| pager.pages.len() < loose.pages.len());
     // Or more of them stand there.
     let fuller = || {
         let breaks = (1..drawn.len()).rev().filter(|_| lost(&loose));
         let even = |pager: &Pager| !lost(pager) && pager.pages.len() == loose.pages.len();
-        breaks.map(|place| set(BETWEEN_STEPS[0], Some(place))).find(even)
+        breaks.map(|place| beside(BETWEEN_STEPS[0], Some(place))).find(even)
     };
-    let pager = fewer.or_else(fuller).unwrap_or(loose);
+    let mut pager = fewer.or_else(fuller).unwrap_or(loose);
+    // Pictures beside their words leave half of a page blank where the words are few or the pictures high: then they stand
+    // below them, in the columns of the page.
+    if pager.blank_of_pages() > 0.0 {
+        let in_columns = |gap: f64| {
+            let mut pager = Pager { gap, ..Pager::new(width, height, title(scene, words), words) };
+            pager.heading(&given::paragraph(&notation));
+            let mut run: Vec<Stacked<'_>> = Vec::new();
+            for (i, (piece, pictures)) in drawn.iter().enumerate() {
+                match pager.stacked(&piece.items, pictures) {
+                    Some(block) => run.push(Stacked { items: &piece.items, pictures, block }),
+                    None => {
+                        pager = pager.after(&std::mem::take(&mut run));
+                        pager.step(&piece.items, pictures);
+                    }
+                }
+                if last_of_centres == Some(i) {
+                    pager = pager.after(&std::mem::take(&mut run));
+                    let circle = Panel::Circle.block(construction, &notation);
+                    pager.rows(&circle.into_iter().collect::<Vec<_>>());
+                }
+            }
+            pager.after(&run)
+        };
+        for gap in BETWEEN_STEPS {
+            let other = in_columns(gap);
+            if other.better_than(&pager) {
+                pager = other;
+            }
+        }
+    }
     let (pages, count) = pager.finish();
     let figure = Figure {
         width,
@@ -574,6 +660,14 @@ fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Ve
         }
     }
     all
+}
+
+/// A piece that fits into a column.
+struct Stacked<'a> {
+    items: &'a [Item],
+    pictures: &'a [Block],
+    /// Its words with its pictures below them.
+    block: Block,
 }
 
 /// How many acts on paper each picture of the steps shows.
@@ -979,6 +1073,7 @@ fn rules(group: &Group) -> Vec<Rect> {
 }
 
 /// The lines of a column, with what may not be parted from the next line.
+#[derive(Clone)]
 struct Strip {
     group: Group,
     height: f64,
@@ -1109,6 +1204,7 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
             }
         }
     }
+    keep_lines_together(&mut all);
     if words.right_to_left {
         // Letters of Arabic script reach up and down by very different amounts.
         for i in 1..all.len() {
@@ -1118,6 +1214,21 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
         }
     }
     all
+}
+
+/// No head stands over a single line at the end of a column, and no single line of a step at the top of the next.
+fn keep_lines_together(strips: &mut [Strip]) {
+    let head = |strip: &Strip| strip.group.class == "step-head";
+    let line = |strip: &Strip| strip.group.class == "sentence";
+    let last = strips.len().saturating_sub(1);
+    for i in 1..last {
+        let first_of_step = line(&strips[i]) && head(&strips[i - 1]);
+        let before_last = line(&strips[i + 1]) && (i + 1 == last || head(&strips[i + 2]));
+        // The head of the next step is not tied to this one.
+        if (first_of_step || before_last) && !head(&strips[i + 1]) {
+            strips[i].keep = true;
+        }
+    }
 }
 
 /// All strips below each other.
@@ -1204,7 +1315,7 @@ impl Draft {
         let (mut pages, mut y, mut next) = (1, pager.y, 0);
         let begin = |pages: &mut usize, y: &mut f64| {
             *pages += 1;
-            *y = MARGIN + 7.0;
+            *y = MARGIN + BELOW_RUNNING_TITLE;
         };
         // As many of the steps as the page still takes; whether any.
         let columns = |y: &mut f64, next: &mut usize| {
@@ -1249,19 +1360,24 @@ impl Draft {
         y += spare;
         if y > bottom {
             pages += 1;
-            y += MARGIN + 7.0 - bottom;
+            y += MARGIN + BELOW_RUNNING_TITLE - bottom;
         }
         Filled { pages, last: (y - MARGIN) / pager.paper.1 }
     }
 }
 
+#[derive(Clone)]
 struct Pager {
     paper: (f64, f64),
     title: String,
     words: &'static Words,
     pages: Vec<Group>,
+    /// Where what stands on the pages before the last one ends.
+    ends: Vec<f64>,
     /// Next free height on the last page, below its top.
     y: f64,
+    /// Whether no more than some lines of a step that begins before stand last.
+    torn: bool,
     /// The steps that are not set yet, in pieces that may not be parted.
     waiting: Vec<Vec<Strip>>,
     /// How near the lines of the steps stand to each other, 1 as usual.
@@ -1277,7 +1393,9 @@ impl Pager {
             title,
             words,
             pages: vec![Group::new("page")],
+            ends: Vec::new(),
             y: MARGIN,
+            torn: false,
             waiting: Vec::new(),
             tight: 1.0,
             gap: BETWEEN_STEPS[0],
@@ -1306,8 +1424,10 @@ impl Pager {
     }
 
     fn page(&mut self) {
+        self.ends.push(self.y);
+        self.torn = false;
         self.pages.push(Group::new("page"));
-        self.y = MARGIN + 7.0;
+        self.y = MARGIN + BELOW_RUNNING_TITLE;
     }
 
     /// Where a piece of this width begins that is so far from the edge at which the reader begins.
@@ -1392,6 +1512,74 @@ impl Pager {
             self.y += drawing.height + BELOW_ROW;
         }
         self.y = deepest.max(self.y - BELOW_ROW) + self.gap;
+    }
+
+    /// What is said of a step with its drawings below it, as wide as a column; none where they do not fit into one.
+    fn stacked(&self, items: &[Item], drawings: &[Block]) -> Option<Block> {
+        let width = self.column();
+        let text = column(items, width, self.words);
+        let mut group = Group::new("step");
+        let mut height = text.height;
+        group.group(text.group);
+        for drawing in drawings {
+            let mut own = drawing.group.clone();
+            own.translate(Vec2::new((width - drawing.width) / 2.0, height + ABOVE_PICTURE));
+            group.group(own);
+            height += drawing.height + ABOVE_PICTURE;
+        }
+        let fits = drawings.iter().all(|drawing| drawing.width <= width);
+        let free = self.bottom() - MARGIN - BELOW_RUNNING_TITLE;
+        (fits && self.column_count() > 1 && height <= free).then_some(Block { group, width, height })
+    }
+
+    /// The pages after these steps: the first ones with their drawings beside them, the others in columns, as soon as that
+    /// takes fewest pages and least of the last one.
+    fn after(self, steps: &[Stacked<'_>]) -> Self {
+        let with = |beside: usize| {
+            let mut pager = self.clone();
+            let (beside, in_columns) = steps.split_at(beside);
+            for step in beside {
+                pager.step(step.items, step.pictures);
+            }
+            pager.in_columns(in_columns);
+            pager
+        };
+        let ways = (1..=steps.len()).map(with);
+        ways.fold(with(0), |best, other| {
+            let less = |own: &Self| (own.pages.len(), own.y);
+            if less(&other) < less(&best) { other } else { best }
+        })
+    }
+
+    /// Steps with their drawings one after the other down the columns of the pages, as even as they get.
+    fn in_columns(&mut self, steps: &[Stacked<'_>]) {
+        let gap = self.gap;
+        let chunks: Vec<Chunk> =
+            steps.iter().map(|step| Chunk { blank: 0.0, height: step.block.height + gap }).collect();
+        let (width, count) = (self.column(), self.column_count());
+        let mut from = 0;
+        while from < steps.len() {
+            let empty = self.y <= MARGIN + BELOW_RUNNING_TITLE + 1.0;
+            // Below the last of a column no blank is needed.
+            let free = self.bottom() - self.y + gap;
+            let columns = even_split(&chunks[from..], free, empty, count);
+            let (top, mut deepest) = (self.y, self.y);
+            let mut own = steps[from..].iter();
+            for (column, taken) in columns.iter().enumerate() {
+                let x = self.indented(MARGIN + column as f64 * (width + GUTTER), width);
+                let mut y = top;
+                for step in own.by_ref().take(*taken) {
+                    self.add(step.block.group.clone(), x, y);
+                    y += step.block.height + gap;
+                }
+                deepest = deepest.max(y);
+            }
+            self.y = deepest;
+            from += columns.iter().sum::<usize>();
+            if from < steps.len() {
+                self.page();
+            }
+        }
     }
 
     /// Drawings over the whole width, and below them what is said of them, in the columns of the sheet.
@@ -1556,18 +1744,37 @@ impl Pager {
         }
     }
 
-    /// The same, but for so many of the last ones, which begin on a page of their own.
-    fn steps_but(&mut self, held: usize) {
+    /// Takes so many of the last steps, each from its head on, out of those that wait.
+    fn hold(&mut self, held: Held) -> Vec<Vec<Strip>> {
+        let (Held::Back(count) | Held::Apart(count)) = held;
         let begins = |chunk: &Vec<Strip>| chunk.first().is_some_and(|strip| strip.group.class == "step-head");
         let heads: Vec<usize> =
             (0..self.waiting.len()).filter(|chunk| begins(&self.waiting[*chunk])).collect();
-        let from = held.checked_sub(1).and_then(|before| heads.len().checked_sub(before + 1));
-        let held = from.map(|head| self.waiting.split_off(heads[head]));
-        self.steps();
-        if let Some(held) = held.filter(|held| !held.is_empty()) {
-            self.waiting = held;
-            self.page();
-            self.steps();
+        let from = count.checked_sub(1).and_then(|before| heads.len().checked_sub(before + 1));
+        from.map(|head| self.waiting.split_off(heads[head])).unwrap_or_default()
+    }
+
+    /// By how much the pages are blanker than a reader takes for full, in pages; the last one may end where it will, but not
+    /// with some lines. Of a single page nothing is lost.
+    fn blank_of_pages(&self) -> f64 {
+        if self.ends.is_empty() {
+            return 0.0;
+        }
+        let height = self.bottom() - MARGIN;
+        let left = |end: &f64| ((self.bottom() - end) / height - MOST_BLANK).max(0.0);
+        let last = (LEAST_LAST - (self.y - MARGIN) / self.paper.1).max(0.0);
+        let torn = if self.torn { LINES_OF_A_STEP } else { 0.0 };
+        self.ends.iter().map(left).sum::<f64>() + last + torn
+    }
+
+    /// Whether it has fewer pages, or as many and clearly less blank on them.
+    fn better_than(&self, other: &Self) -> bool {
+        /// What is worth another order of the page, in pages.
+        const CLEARLY: f64 = 0.04;
+        match self.pages.len().cmp(&other.pages.len()) {
+            Ordering::Less => true,
+            Ordering::Equal => self.blank_of_pages() + CLEARLY < other.blank_of_pages(),
+            Ordering::Greater => false,
         }
     }
 
@@ -1582,6 +1789,11 @@ impl Pager {
         let columns = even_split(&chunks, free, empty, count);
         self.waiting = waiting.split_off(columns.iter().sum());
         let top = self.y;
+        let first = waiting.first().and_then(|strips| strips.first());
+        let lines: usize = waiting.iter().map(Vec::len).sum();
+        if let Some(first) = first {
+            self.torn = first.group.class != "step-head" && lines <= MOST_TORN;
+        }
         let mut waiting = waiting.iter();
         for (column, own) in columns.iter().enumerate() {
             let x = MARGIN + column as f64 * (width + GUTTER);

@@ -18,6 +18,8 @@ use crate::mechanism::quantity::{DiagramKind, Dimension};
 
 /// The lines of a legend below a drawing may be as wide as this.
 const LEGEND: f64 = 80.0;
+/// A caption is broken into lines no narrower, mm.
+const SLIMMEST: f64 = 44.0;
 
 /// A drawing of the solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,6 +112,16 @@ impl Panel {
     ) -> Option<Block> {
         let caption = self.caption_at(place, construction, notation)?;
         Some(captioned(self.drawing(construction, notation, None)?, &caption))
+    }
+
+    /// The same with its caption broken into lines about as wide as the drawing, so that more stands beside it.
+    #[must_use]
+    pub fn slim_block(self, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+        let caption = self.caption(construction, notation)?;
+        let drawing = self.drawing(construction, notation, None)?;
+        let width = drawing.bounds().unwrap_or(Rect::ZERO).width().max(SLIMMEST);
+        let lines: Vec<Rich> = caption.iter().flat_map(|text| text.wrap(TEXT, width)).collect();
+        Some(captioned(drawing, &lines))
     }
 
     /// The drawing without its caption; with the lives of its ink where these are told.
