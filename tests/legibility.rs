@@ -1203,6 +1203,24 @@ fn pages_before_the_last_are_not_half_blank() {
     }
 }
 
+/// One arrow that has two names, as the wheel's axle seen from the frame and from the contact, is read once: to the same
+/// hundredths.
+#[test]
+fn one_arrow_has_one_reading() {
+    let kind = KINDS.iter().find(|kind| kind.name == "rack-wheel").unwrap();
+    let figure = solution(&linkgram::scene::read(kind.scene, kind.name).unwrap()).unwrap();
+    let readings: Vec<String> = sentences(&figure)
+        .iter()
+        .filter_map(|line| {
+            let (before, after) = line.split_once(": ").filter(|(before, _)| before.starts_with("Read V"))?;
+            let image = before.rsplit("= ").next()?;
+            matches!(image, "ob" | "bp4").then(|| after.split('\u{a0}').next().unwrap_or_default().to_owned())
+        })
+        .collect();
+    assert_eq!(readings.len(), 2, "{:#?}", sentences(&figure));
+    assert_eq!(readings[0], readings[1]);
+}
+
 /// The question of a governor shows its axis of rotation; a spring on the frame hangs on the ground.
 #[test]
 fn a_governor_has_its_axis_and_a_spring_its_ground() {

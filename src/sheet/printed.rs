@@ -305,6 +305,10 @@ impl Figures {
             let wanted = self.wanted.entry(own).or_insert(0);
             *wanted = (*wanted).max(more);
         }
+        // Nor has one of them the other neighbour of four figures.
+        if [key, first].iter().any(|own| self.beside.contains(own)) {
+            self.wanted_beside.extend([key, first]);
+        }
         more
     }
 
