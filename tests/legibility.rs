@@ -1221,6 +1221,37 @@ fn one_arrow_has_one_reading() {
     assert_eq!(readings[0], readings[1]);
 }
 
+/// On the sleeve of Watt's governor nothing acts where it has no mass and nothing rubs: what joins it to the balls carries
+/// no force, which the steps say, and nothing is said of loads given for both halves.
+#[test]
+fn a_sleeve_on_which_nothing_acts_is_told() {
+    use linkgram::drawing::Kind;
+    let governor = |masses: &str| {
+        format!(
+            r#"{{ "title": "Watt", "units": {{ "length": "mm" }}, "fixed": {{ "O": [0, 0] }},
+            "placed": {{ "B": [160, -190], "S": [0, -380] }},
+            "links": {{ "2": {{ "joins": ["O", "B"] }}, "3": {{ "joins": ["B", "S"] }} }},
+            "slides": [{{ "pin": "S", "block": 4, "on": {{ "link": 1, "through": "O", "angle": 90 }} }}],
+            "input": {{ "link": 2 }}, "gravity": {{}}, "masses": {{ "2": {{ "mass": 3, "at": "B" }}{masses} }},
+            "spin": {{ "axis": {{ "through": [0, 0], "angle": 90 }}, "omega": "?", "balls": 2, "sleeve": 4 }},
+            "find": ["spin", "Fc(2)"] }}"#
+        )
+    };
+    for (masses, idle) in [("", true), (r#", "4": { "mass": 6, "at": "S" }"#, false)] {
+        let figure = drawn(&governor(masses), Kind::Solution);
+        let mut text = String::new();
+        figure.root.walk(&mut |node| {
+            if let Node::Text(own) = node {
+                text += &own.content();
+                text.push(' ');
+            }
+        });
+        let text = text.replace('\u{a0}', " ");
+        assert_eq!(text.contains("Nothing acts on the sleeve"), idle, "{text}");
+        assert_eq!(text.contains("given for the whole"), !idle, "{text}");
+    }
+}
+
 /// The question of a governor shows its axis of rotation; a spring on the frame hangs on the ground.
 #[test]
 fn a_governor_has_its_axis_and_a_spring_its_ground() {

@@ -386,6 +386,18 @@ impl Forces {
     pub fn mass(&self, link: LinkId) -> Option<&Mass> {
         self.masses.iter().find(|mass| mass.link == link)
     }
+
+    /// Whether the scene states anything that acts on a link besides what its joints exert: a mass, a load, a spring, or the
+    /// friction of a sleeve.
+    #[must_use]
+    pub fn acts_on(&self, link: LinkId) -> bool {
+        let sprung = self.springs.iter().any(|spring| match spring.kind {
+            SpringKind::Pull(ends) => ends.iter().any(|(of, _)| *of == link),
+            SpringKind::Torsion(links) => links.contains(&link),
+        });
+        let rubbed = self.spin.is_some_and(|spin| spin.sleeve == Some(link) && spin.drag.is_some());
+        sprung || rubbed || self.mass(link).is_some() || self.loads.iter().any(|load| load.link == link)
+    }
 }
 
 impl Mechanism {

@@ -615,7 +615,7 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         if spin.balls > 1 {
             let count = ("count", human::stated(f64::from(spin.balls)));
             parts.push(Rich::fill(notation.words.given_halves, &[count]));
-            parts.extend(spin.sleeve.map(|link| {
+            parts.extend(spin.sleeve.filter(|link| forces.acts_on(*link)).map(|link| {
                 let link = ("link", Rich::upright(notation.number(link)));
                 Rich::fill(notation.words.given_sleeve, &[link])
             }));

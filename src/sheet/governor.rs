@@ -17,7 +17,7 @@ use super::steps::{Item, in_radians};
 use crate::graphical::construction::{
     About, AlongGuide, Arm, Construction, ForceSheet, Governor, GovernorState, MomentBalance, OnSleeve,
 };
-use crate::mechanism::force::{Action, Force, Heaviness, Share};
+use crate::mechanism::force::{Action, Force, Heaviness, Party, Share};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
 use crate::mechanism::spin::SpinSpeed;
 
@@ -110,7 +110,13 @@ impl Teller<'_> {
         let mut lines = Vec::new();
         let units = &self.n.scene.units;
         let Some(spin) = &self.n.mechanism().forces.spin else { return lines };
-        if spin.balls > 1 {
+        let idle = spin
+            .sleeve
+            .filter(|sleeve| !self.sheet.bodies.iter().any(|body| body.of == Party::Link(*sleeve)));
+        if let Some(sleeve) = idle {
+            let [sleeve, arm] = [sleeve, governor.link].map(|link| Rich::upright(self.n.number(link)));
+            lines.push(Rich::fill(self.n.words.governor_idle, &[("sleeve", sleeve), ("arm", arm)]));
+        } else if spin.balls > 1 {
             let count = ("count", human::stated(f64::from(spin.balls)));
             lines.push(Rich::fill(self.n.words.governor_halves, &[count]));
         }
