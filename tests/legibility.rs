@@ -1214,7 +1214,7 @@ fn one_arrow_has_one_reading() {
         .filter_map(|line| {
             let (before, after) = line.split_once(": ").filter(|(before, _)| before.starts_with("Read V"))?;
             let image = before.rsplit("= ").next()?;
-            matches!(image, "ob" | "bp4").then(|| after.split('\u{a0}').next().unwrap_or_default().to_owned())
+            matches!(image, "ob" | "bp_4").then(|| after.split('\u{a0}').next().unwrap_or_default().to_owned())
         })
         .collect();
     assert_eq!(readings.len(), 2, "{:#?}", sentences(&figure));
