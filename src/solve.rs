@@ -272,22 +272,30 @@ fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
         return;
     }
     let acts = || construction.steps.iter().flat_map(|step| &step.acts);
+    // Where nothing is accelerated the polygon is rounding: V² / l of the fastest point and the whole skeleton counts as well.
+    let longest = |order: Order| match order {
+        Order::Acceleration => {
+            let speed = construction.longest(Order::Velocity);
+            construction.longest(order).max(speed * speed / construction.space.size())
+        }
+        _ => construction.longest(order),
+    };
     // A rate is as large as the longest vector makes it over the length by which it is divided.
     let compared_to = |quantity: &Quantity| match (quantity, quantity.nature()) {
         (Quantity::Omega(of), _) => acts().find_map(|act| match act {
             Act::Calculate(Calculation::Omega { link, length, .. }) if link == of => {
-                Some(construction.longest(Order::Velocity) / length)
+                Some(longest(Order::Velocity) / length)
             }
             _ => None,
         }),
         (Quantity::Alpha(of), _) => acts().find_map(|act| match act {
             Act::Calculate(Calculation::Alpha { link, length, .. }) if link == of => {
-                Some(construction.longest(Order::Acceleration) / length)
+                Some(longest(Order::Acceleration) / length)
             }
             _ => None,
         }),
         (_, Nature::Vector) => match quantity.order() {
-            order @ (Order::Velocity | Order::Acceleration) => Some(construction.longest(order)),
+            order @ (Order::Velocity | Order::Acceleration) => Some(longest(order)),
             _ => None,
         },
         _ => None,
@@ -300,7 +308,7 @@ fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
         };
         // The cheaper question first: nearly all are clear.
         bound > CERTAIN * size
-            && compared_to(&asked.quantity).is_some_and(|longest| bound > CERTAIN * SMALL * longest)
+            && compared_to(&asked.quantity).is_some_and(|to| to > 0.0 && bound > CERTAIN * SMALL * to)
     };
     let unclear: Vec<bool> = mechanism.asked.iter().zip(&construction.answers).map(is_unclear).collect();
     for (reading, unclear) in solution.construction.answers.iter_mut().zip(unclear) {

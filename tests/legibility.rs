@@ -1214,7 +1214,8 @@ fn one_arrow_has_one_reading() {
         .filter_map(|line| {
             let (before, after) = line.split_once(": ").filter(|(before, _)| before.starts_with("Read V"))?;
             let image = before.rsplit("= ").next()?;
-            matches!(image, "ob" | "bp_4").then(|| after.split('\u{a0}').next().unwrap_or_default().to_owned())
+            matches!(image, "ob" | "bp_4")
+                .then(|| after.split('\u{a0}').next().unwrap_or_default().to_owned())
         })
         .collect();
     assert_eq!(readings.len(), 2, "{:#?}", sentences(&figure));
@@ -1429,10 +1430,11 @@ fn a_guide_is_drawn_by_what_stands() {
     );
     // An arc has its centre and its radius.
     let told = lines(&kind("eccentric-pump"));
-    assert!(
-        told.contains("About E strike an arc with the radius R = 250 mm (100.0 mm). It is the guide of D."),
-        "{told}"
-    );
+    let scale = told.split("to the scale 1 : ").nth(1).and_then(|rest| rest.split(". ").next()).unwrap();
+    let paper = 250.0 / scale.parse::<f64>().unwrap();
+    let arc =
+        format!("About E strike an arc with the radius R = 250 mm ({paper:.1} mm). It is the guide of D.");
+    assert!(told.contains(&arc), "{told}");
     // The far end of a rod that runs on past a joint.
     let told = lines(&kind("six-link"));
     assert!(told.contains("Mark C on link 4: O_4C = 30 cm (30.0 mm), beyond O_4."), "{told}");

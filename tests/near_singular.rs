@@ -57,7 +57,7 @@ fn next_to_a_change_point_every_number_is_right_or_refused() {
             }
         }
     }
-    assert!(answered > 60 && refused > 4, "{answered} answered, {refused} refused");
+    assert!(answered > 40 && refused > 4, "{answered} answered, {refused} refused");
 }
 
 /// A turning vector stands square to its link in the table as well: what a room leaves open has no direction of its own.

@@ -7,8 +7,8 @@
 //!
 //! At the scene's own place the independent solver is given the scene alone, and finds the assembly for itself. Elsewhere it is
 //! told which of its assemblies is meant: it begins from where the drawing has the points, and what it finds there closes by its
-//! own equations, with rates of its own. That the mechanism gets there from the scene's own place is followed besides
-//! (`carried.rs`): on the way no place leaps, and where wheels carry points these move as the wheels roll.
+//! own equations, with rates of its own. That the mechanism gets there from the scene's own place is the drawing's word: along a
+//! stretch every meet keeps its side. Where wheels carry points it is followed besides (`carried.rs`).
 //!
 //! A torsion spring is wound up by what its links have turned since the scene's own place. No equation of one position tells
 //! that: the independent solver is led there by short steps, and the angles that it finds are added up.
@@ -77,7 +77,7 @@ pub enum SweepUnconfirmed {
         /// Which pairs rub.
         why: String,
     },
-    /// On the way a place leaps, or the points of a wheel are not where it has rolled them.
+    /// The points of a wheel are not where it has rolled them.
     Carried(CarriedAstray),
 }
 
@@ -101,8 +101,8 @@ pub fn confirm_sweep(sweep: &Sweep) -> Result<usize, SweepUnconfirmed> {
         for &at in &places {
             carried::moves_as_it_rolls(sweep, at)?;
         }
+        carried::nothing_leaps(sweep)?;
     }
-    carried::nothing_leaps(sweep)?;
     Ok(places.len())
 }
 

@@ -564,9 +564,9 @@ pub(super) fn range(
         InputKind::Angle(_) => start + turn * ((range[0] - hair - start) / turn).ceil(),
         InputKind::Slide(_) | InputKind::Time => start,
     };
-    // Rounding may put it a hair's breadth beyond.
-    let own_end = (range[0] - hair..=range[1] + hair).contains(&start);
-    let start = if whole || own_end { start.clamp(range[0], range[1]) } else { start };
+    // Rounding may put it a hair's breadth beyond, or before.
+    let start = if whole { start.clamp(range[0], range[1]) } else { start };
+    let start = range.into_iter().find(|end| !whole && (end - start).abs() <= hair).unwrap_or(start);
     if !(range[0]..=range[1]).contains(&start) {
         return Err(SweepError::Range(
             "the scene's own position must lie in the range: from there on the sweep knows which assembly is meant"
