@@ -182,8 +182,10 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         }
         pager.steps();
         if !held_back.is_empty() {
-            if matches!(held, Held::Apart(_)) {
-                pager.page();
+            match held {
+                Held::Apart(_) => pager.page(),
+                // They begin columns of their own.
+                Held::Back(_) => pager.y += BELOW_ROW,
             }
             pager.waiting = held_back;
             pager.steps();
