@@ -8,13 +8,13 @@ pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::{Act, Calculation, Reading};
 use crate::graphical::cycle::OwnTorque;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
-use crate::mechanism::Mechanism;
 use crate::mechanism::cycle::{Cycle, CycleQuantity, Sides};
 use crate::mechanism::force::{Force, Share};
 use crate::mechanism::quantity::{
     Answer, Asked, Indeterminate, Method, Nature, Order, Quantity, Stuck, Unit,
 };
 use crate::mechanism::structure::{Structure, StructureError};
+use crate::mechanism::{LinkId, Mechanism};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
 pub use crate::sweep::governor::Governed;
@@ -281,24 +281,37 @@ fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
         _ => construction.longest(order),
     };
     // A rate is as large as the longest vector makes it over the length by which it is divided.
-    let compared_to = |quantity: &Quantity| match (quantity, quantity.nature()) {
-        (Quantity::Omega(of), _) => acts().find_map(|act| match act {
-            Act::Calculate(Calculation::Omega { link, length, .. }) if link == of => {
-                Some(longest(Order::Velocity) / length)
+    let rate = |order: Order, of: LinkId| {
+        acts().find_map(|act| match (order, act) {
+            (Order::Velocity, Act::Calculate(Calculation::Omega { link, length, .. }))
+            | (Order::Acceleration, Act::Calculate(Calculation::Alpha { link, length, .. }))
+                if *link == of =>
+            {
+                Some(longest(order) / length)
+            }
+            _ => None,
+        })
+    };
+    let of_both = |order: Order, links: [LinkId; 2]| {
+        links.into_iter().filter_map(|of| rate(order, of)).reduce(f64::max)
+    };
+    let compared_to = |quantity: &Quantity| match *quantity {
+        Quantity::Omega(of) => rate(Order::Velocity, of),
+        Quantity::Alpha(of) => rate(Order::Acceleration, of),
+        Quantity::RelativeOmega(i, j) => of_both(Order::Velocity, [i, j]),
+        Quantity::RelativeAlpha(i, j) => of_both(Order::Acceleration, [i, j]),
+        Quantity::Ratio(..) | Quantity::Advantage(..) => Some(1.0),
+        Quantity::Rub(own, ..) => acts().find_map(|act| match act {
+            Act::Calculate(Calculation::Rub { pin, radius, first, second, .. }) if *pin == own => {
+                Some(radius * first.abs().max(second.abs()))
             }
             _ => None,
         }),
-        (Quantity::Alpha(of), _) => acts().find_map(|act| match act {
-            Act::Calculate(Calculation::Alpha { link, length, .. }) if link == of => {
-                Some(longest(Order::Acceleration) / length)
-            }
-            _ => None,
-        }),
-        (_, Nature::Vector) => match quantity.order() {
+        _ if quantity.nature() != Nature::Vector => None,
+        _ => match quantity.order() {
             order @ (Order::Velocity | Order::Acceleration) => Some(longest(order)),
             _ => None,
         },
-        _ => None,
     };
     let is_unclear = |(asked, reading): (&Asked, &Reading)| {
         let (size, bound) = match reading.answer {

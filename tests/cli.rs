@@ -46,7 +46,7 @@ pub(crate) struct Ran {
     pub(crate) err: String,
 }
 
-fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
+pub(crate) fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
     let mut child = Command::new(env!("CARGO_BIN_EXE_linkgram"))
         .args(arguments)
         .current_dir(folder)
@@ -69,7 +69,7 @@ fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
     ran
 }
 
-pub(crate) fn run(arguments: &[&str]) -> Ran {
+fn run(arguments: &[&str]) -> Ran {
     run_in(common::root(), arguments, None)
 }
 

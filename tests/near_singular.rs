@@ -1,5 +1,5 @@
 //! What is told next to dead centres and change points, and of what places leave open: right digits or a refusal, never a
-//! zero that is none. Truth is closed here: the parallelogram's and the kite's rates, and what stands square to its link.
+//! zero that is none. Truth is closed here: the rates of a parallelogram, and what stands square to its link.
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
 
@@ -8,7 +8,8 @@ use linkgram::scene;
 use linkgram::solve::{Settings, solve_numbers};
 use serde_json::{Value, json};
 
-use crate::cli::run;
+use crate::cli::run_in;
+use crate::common::root;
 
 fn parallelogram(angle: f64) -> Value {
     json!({
@@ -19,7 +20,7 @@ fn parallelogram(angle: f64) -> Value {
         },
         "near": { "B": [100.0 + 40.0 * angle.to_radians().cos(), 40.0 * angle.to_radians().sin()] },
         "input": { "link": 2, "angle": angle, "omega": "5 rad/s ccw" },
-        "find": ["v(B)", "omega(3)", "omega(4)", "a(B)", "alpha(3)", "alpha(4)"]
+        "find": ["v(B)", "omega(3)", "omega(4)", "a(B)", "alpha(3)", "alpha(4)", "alpha(4/3)", "omega(3/1)"]
     })
 }
 
@@ -45,7 +46,10 @@ fn next_to_a_change_point_every_number_is_right_or_refused() {
                     (Quantity::Omega(link), Answer::Scalar { value, .. }) => {
                         (*value, if link.0 == 3 { 5.0 } else { 0.0 }, 5.0)
                     }
-                    (Quantity::Alpha(_), Answer::Scalar { value, .. }) => (*value, 0.0, 25.0),
+                    (Quantity::RelativeOmega(..), Answer::Scalar { value, .. }) => (*value, 0.0, 5.0),
+                    (Quantity::Alpha(_) | Quantity::RelativeAlpha(..), Answer::Scalar { value, .. }) => {
+                        (*value, 0.0, 25.0)
+                    }
                     (Quantity::Velocity(_), Answer::Vector { value, .. }) => {
                         (libm::hypot(value[0], value[1]), 0.2, 0.2)
                     }
@@ -60,6 +64,37 @@ fn next_to_a_change_point_every_number_is_right_or_refused() {
     assert!(answered > 40 && refused > 4, "{answered} answered, {refused} refused");
 }
 
+/// The table that `solve` prints.
+fn table(scene: &Value) -> String {
+    let ran = run_in(root(), &["solve", "-"], Some(scene.to_string().as_bytes()));
+    assert!(ran.code == 0, "{}", ran.err);
+    ran.out
+}
+
+/// A coordinate that rounding leaves is zero; one that is smaller than the room of its place is the stated one.
+#[test]
+fn coordinates_are_told_as_they_are_known() {
+    // A crank of 50 from (30, 40) towards the origin.
+    let angle = libm::atan2(-40.0, -30.0).to_degrees();
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [30, 40] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 } },
+        "input": { "link": 2, "angle": angle, "omega": "1 rad/s" }, "find": ["x(A)"]
+    });
+    assert!(table(&scene).contains("x(A)      (0, 0) mm"), "{}", table(&scene));
+    let scene = json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [90, 0] },
+        "placed": { "A": [30, 40], "B": { "at": [48, 0.3], "within": "1 mm" } },
+        "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"] }, "4": { "joins": ["O4", "B"] } },
+        "input": { "link": 2, "omega": "20 rad/s ccw" }, "find": ["x(B)"]
+    });
+    let told = table(&scene);
+    assert!(told.contains("(48.0 ± ") && told.contains(", 0.3 ± "), "{told}");
+    let scene = scene::read(&scene.to_string(), "scene.json").unwrap();
+    let drawn = linkgram::drawing::figure(&scene, &linkgram::drawing::Wish::default()).unwrap();
+    assert!(format!("{drawn:?}").contains("0.3"), "the sheet tells another y of B");
+}
+
 /// A turning vector stands square to its link in the table as well: what a room leaves open has no direction of its own.
 #[test]
 fn directions_of_roomy_places_are_those_of_the_drawing() {
@@ -69,12 +104,9 @@ fn directions_of_roomy_places_are_those_of_the_drawing() {
         "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"] }, "4": { "joins": ["O4", "B"] } },
         "input": { "link": 2, "omega": "20 rad/s ccw" }, "find": ["at(B/A)", "v(B)"]
     });
-    let file = std::env::temp_dir().join(format!("linkgram-roomy-{}.json", std::process::id()));
-    std::fs::write(&file, scene.to_string()).unwrap();
-    let told = run(&["solve", file.to_str().unwrap()]);
-    std::fs::remove_file(&file).unwrap();
+    let told = table(&scene);
     let direction = |name: &str| -> f64 {
-        let row = told.out.lines().find(|line| line.starts_with(name)).unwrap();
+        let row = told.lines().find(|line| line.starts_with(name)).unwrap();
         let words: Vec<&str> = row.split_whitespace().collect();
         words[words.iter().position(|word| *word == "deg").unwrap() - 1].parse().unwrap()
     };
@@ -83,9 +115,9 @@ fn directions_of_roomy_places_are_those_of_the_drawing() {
         let own = direction(name).to_radians();
         let slant = (own.cos() * along[0] + own.sin() * along[1]) / along[0].hypot(along[1]);
         // Three figures of the angle are told.
-        assert!(slant.abs() < 0.01, "{}", told.out);
+        assert!(slant.abs() < 0.01, "{told}");
     }
-    assert!(told.out.contains(" ± "), "{}", told.out);
+    assert!(told.contains(" ± "), "{told}");
 }
 
 /// A sheet says nothing of points that coincide where the rooms of places only allow it.

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use super::{Ending, Failure, arguments, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
 use crate::double_double::DoubleDouble;
-use crate::graphical::construction::Fine;
+use crate::graphical::construction::{Construction, Fine};
 use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::friction::{Rub, RubbedBy, RubbingPair};
 use crate::mechanism::quantity::{Answer, Asked, Measure, Method, Nature, Quantity};
@@ -109,7 +109,8 @@ fn table(
     let units = &scene.units;
     let lines = |digits: usize| -> Vec<[String; 5]> {
         let head = ["quantity", "value", "direction", "other solver", "off/bound"].map(str::to_owned);
-        let rows = agreement.compared.iter().map(|compared| cells(compared, digits));
+        let construction = &solved.solution.construction;
+        let rows = agreement.compared.iter().map(|compared| cells(compared, construction, digits));
         std::iter::once(head).chain(rows).collect()
     };
     let widths = |rows: &[[String; 5]]| -> [usize; 5] {
@@ -200,21 +201,21 @@ fn wrapped(words: &str) -> String {
 
 /// A row: name, value, direction or sense, the other solver's value, and how far apart they are in units of the sum of
 /// the bounds. What the bound cannot tell from zero is zero, and points nowhere. Of what is indeterminate only the name.
-fn cells(compared: &Compared, digits: usize) -> [String; 5] {
+fn cells(compared: &Compared, construction: &Construction, digits: usize) -> [String; 5] {
     let asked = &compared.asked;
     let name = named(asked);
     if compared.indeterminate().is_some() {
         return [name, String::new(), String::new(), String::new(), String::new()];
     }
     let zero = compared.graphical.zero;
-    let (value, direction) = value_and_direction(asked, &compared.graphical.answer, zero, digits);
+    let tell = |answer: &Answer, zero: bool| value_and_direction(asked, answer, (construction, zero), digits);
+    let (value, direction) = tell(&compared.graphical.answer, zero);
     let value = if matches!(compared.graphical.answer, Answer::AtInfinity { .. }) {
         value
     } else {
         format!("{value} {}", asked.unit.symbol).trim_end().to_owned()
     };
-    let zero = zero && compared.analytic.may_be_zero();
-    let (other, _) = value_and_direction(asked, &compared.analytic, zero, digits);
+    let (other, _) = tell(&compared.analytic, zero && compared.analytic.may_be_zero());
     let off = compared.difference.map_or("not comparable".to_owned(), |difference| {
         if difference.ratio > 1.0 {
             significant(difference.ratio, 2)
@@ -226,7 +227,12 @@ fn cells(compared: &Compared, digits: usize) -> [String; 5] {
 }
 
 /// A value in its unit, and where it points or turns. What few digits are certain of is told with its bound.
-fn value_and_direction(asked: &Asked, answer: &Answer, zero: bool, digits: usize) -> (String, String) {
+fn value_and_direction(
+    asked: &Asked,
+    answer: &Answer,
+    (construction, zero): (&Construction, bool),
+    digits: usize,
+) -> (String, String) {
     let certain = certain_digits(answer);
     let digits = digits.min(certain);
     let number = |x: f64| match answer {
@@ -239,8 +245,9 @@ fn value_and_direction(asked: &Asked, answer: &Answer, zero: bool, digits: usize
         format!("{} deg", significant(libm::atan2(y, x).to_degrees(), if certain < FEW { 3 } else { 5 }))
     };
     match answer {
+        _ if zero && is_place(&asked.quantity) => ("(0, 0)".to_owned(), String::new()),
         Answer::Vector { value, bound } if is_place(&asked.quantity) => {
-            let [x, y] = value.map(|c| number(if c.abs() <= *bound { 0.0 } else { c }));
+            let [x, y] = construction.told_place(*value, *bound).map(number);
             (format!("({x}, {y})"), String::new())
         }
         _ if zero => ("0".to_owned(), String::new()),

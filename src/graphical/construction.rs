@@ -130,6 +130,14 @@ impl Construction {
         size <= NIL * bound || bound <= NIL * largest
     }
 
+    /// The coordinates of a place as they are told: one that is zero within its bound is zero. Where places are known within
+    /// rooms only, the bound beside the skeleton has to be nothing as well.
+    #[must_use]
+    pub fn told_place(&self, place: [f64; 2], bound: f64) -> [f64; 2] {
+        let sharp = !self.rooms || bound <= NIL * self.space.size();
+        place.map(|own| if own.abs() <= bound && (sharp || own.abs() <= NIL * bound) { 0.0 } else { own })
+    }
+
     /// The vector diagram of a kind, where anything asked needs it.
     #[must_use]
     pub fn diagram(&self, kind: DiagramKind) -> Option<&Diagram> {

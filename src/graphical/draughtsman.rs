@@ -326,12 +326,12 @@ impl<'m> Draughtsman<'m> {
         &self.record
     }
 
-    /// Notes the free bodies.
     /// Notes whether places are known within rooms only.
     pub(super) fn note_rooms(&mut self) {
         self.record.rooms = !self.mechanism.roomy().is_empty();
     }
 
+    /// Notes the free bodies.
     pub(super) fn note_forces(&mut self, sheet: Option<ForceSheet>) {
         self.record.forces = sheet;
     }
@@ -400,6 +400,7 @@ impl<'m> Draughtsman<'m> {
         let named = links.iter().filter(|&&link| !carries(link));
         let mut numbers: Vec<u32> = named.map(|&link| mechanism.link(link).number).collect();
         numbers.sort_unstable();
+        numbers.dedup();
         self.reason_for(Cause::InLine(numbers))
     }
 

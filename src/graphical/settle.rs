@@ -117,8 +117,7 @@ pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, 
         |quantity: &Quantity, value: f64| zeros.get(quantity).is_some_and(|bound| value.abs() <= 2.0 * bound);
     for diagram in &mut construction.diagrams {
         for vector in &mut diagram.vectors {
-            let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
-            if zero(&vector.quantity, length * diagram.si_per_mm) {
+            if zero(&vector.quantity, vector.length() * diagram.si_per_mm) {
                 (vector.as_point, vector.is_zero) = (true, true);
             }
         }

@@ -167,9 +167,8 @@ fn turned(number: &Rich, ratio: f64) -> Rich {
 }
 
 /// A place that is measured, in the unit in which it is asked.
-fn place(value: [f64; 2], bound: f64, asked: &Asked) -> Rich {
-    let part = |v: f64| human::number(if v.abs() <= bound { 0.0 } else { v / asked.unit.si });
-    let [x, y] = value.map(part);
+pub(super) fn place(told: [f64; 2], asked: &Asked) -> Rich {
+    let [x, y] = told.map(|v| human::number(v / asked.unit.si));
     let pair = Rich::upright("(").then(&x).up(";\u{a0}").then(&y).up(")");
     human::with_unit(&pair, &asked.unit.symbol)
 }
@@ -186,7 +185,8 @@ pub(super) fn centres(construction: &Construction, n: &Notation<'_>) -> Option<R
             };
             let centre = circle.centre(crate::plan::chord(i, j))?;
             let symbol = n.symbol(asked.quantity, false).up("\u{a0}");
-            (!centre.found.is_primary()).then(|| symbol.then(&place(*value, *bound, asked)))
+            (!centre.found.is_primary())
+                .then(|| symbol.then(&place(construction.told_place(*value, *bound), asked)))
         })
         .collect();
     (!told.is_empty()).then(|| Rich::fill(n.words.measured_arms, &[("list", n.list(&told))]))
@@ -213,7 +213,7 @@ impl Teller<'_> {
             }
             (Quantity::Position(point), Answer::Vector { .. }) if n.mechanism().is_fixed(point) => None,
             (Quantity::Position(_), Answer::Vector { value, bound }) => {
-                Some(symbol.up("\u{a0}").then(&place(*value, *bound, asked)))
+                Some(symbol.up("\u{a0}").then(&place(self.construction.told_place(*value, *bound), asked)))
             }
             _ => None,
         }

@@ -27,7 +27,7 @@ pub fn table(
         .iter()
         .zip(&construction.answers)
         .filter(|(asked, _)| is_row(asked, notation, orders))
-        .map(|(asked, reading)| row(asked, reading, notation, figures))
+        .map(|(asked, reading)| row((asked, reading), construction, notation, figures))
         .collect();
     Table {
         columns: vec![Align::Left, Align::Right, Align::Left],
@@ -89,7 +89,12 @@ pub(super) fn polygon_of(quantity: Quantity) -> Order {
     }
 }
 
-fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figures) -> Vec<Rich> {
+fn row(
+    (asked, reading): (&Asked, &Reading),
+    construction: &Construction,
+    notation: &Notation<'_>,
+    figures: &Figures,
+) -> Vec<Rich> {
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
     if let Some(method) = notation.method(asked.method) {
@@ -118,7 +123,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
         // What is not told from zero reads as zero, here and below.
         Answer::Scalar { value, .. } if reading.zero && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
-            row(asked, &Reading { answer: none, ..reading.clone() }, notation, figures)
+            row((asked, &Reading { answer: none, ..reading.clone() }), construction, notation, figures)
         }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
@@ -146,10 +151,8 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
         },
         Answer::Vector { value: [x, y], bound } => {
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
-                // A coordinate that is zero within its bound reads as zero.
-                let part = |v: &f64| human::number(if v.abs() <= *bound { 0.0 } else { v / asked.unit.si });
-                let pair = Rich::upright("(").then(&part(x)).up(";\u{a0}").then(&part(y)).up(")");
-                return vec![symbol, human::with_unit(&pair, &asked.unit.symbol), Rich::default()];
+                let told = construction.told_place([*x, *y], *bound);
+                return vec![symbol, super::derived::place(told, asked), Rich::default()];
             }
             let size = libm::hypot(*x, *y);
             let size = if reading.zero { 0.0 } else { size };
