@@ -804,6 +804,20 @@ impl Wanted<'_> {
         };
         for link in [i, j] {
             self.link(link, order);
+            if self.source == CentreSource::Velocities {
+                self.point_to_be_seen(link);
+            }
+        }
+    }
+
+    /// A centre that is read off velocities is seen from a point of the link: one of its own stands on the skeleton, if none
+    /// of its joints is found with its group.
+    fn point_to_be_seen(&mut self, link: LinkId) {
+        let Some(group) = self.structure.group_of(link) else { return };
+        let found = self.structure.groups[group].kind.main_points(self.mechanism);
+        let points = &self.mechanism.link(link).points;
+        if let (Some(&first), false) = (points.first(), points.iter().any(|point| found.contains(point))) {
+            self.point(first, Order::Position);
         }
     }
 

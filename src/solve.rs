@@ -84,7 +84,7 @@ pub enum SolveError {
         why: String,
     },
     /// Nothing that was asked is determined at this position.
-    #[error("{}: {why}", how(.why))]
+    #[error("{}", refused(.why))]
     Indeterminate {
         /// The first asked quantity.
         name: String,
@@ -93,10 +93,12 @@ pub enum SolveError {
     },
 }
 
-fn how(why: &Indeterminate) -> &'static str {
+fn refused(why: &Indeterminate) -> String {
     match why {
-        Indeterminate::NoEquilibrium { .. } => "no equilibrium here",
-        _ => "indeterminate here",
+        Indeterminate::NoEquilibrium { why } => {
+            format!("no equilibrium here: {}", why.strip_prefix("no equilibrium: ").unwrap_or(why))
+        }
+        _ => format!("indeterminate here: {why}"),
     }
 }
 
@@ -384,7 +386,9 @@ fn turn(scene: &Scene, settings: Settings, solution: &mut Solution) {
     let at = |angle: f64| turned.as_ref().and_then(|turned| turned.torque(angle));
     let knots = forces.knots();
     let own = turned.is_some().then_some(OwnTorque { at: &at, knots: &knots });
-    let drawn = graphical::cycle::draw(settings.arithmetic, cycle, forces.gravity.g, &asked, own);
+    let comes_back = turned.as_ref().map_or(Ok(()), |turned| turned.comes_back(&scene.mechanism));
+    let drawn = comes_back
+        .and_then(|()| graphical::cycle::draw(settings.arithmetic, cycle, forces.gravity.g, &asked, own));
     let construction = &mut solution.construction;
     for (asked, reading) in scene.mechanism.asked.iter().zip(&mut construction.answers) {
         let Quantity::Cycle(of) = asked.quantity else { continue };
@@ -408,13 +412,14 @@ fn turned(mechanism: &Mechanism, cycle: &Cycle) -> Option<Turned> {
     cycle.of()?;
     let mut mechanism = mechanism.clone();
     mechanism.forces.cycle = None;
-    let torque = Force::Torque(0);
-    mechanism.asked = vec![Asked {
+    let twists = mechanism.springs_that_wind_up().map(Force::Twist);
+    let asked = |torque: Force| Asked {
         name: torque.name(&mechanism),
         quantity: Quantity::Force(torque, Share::Total),
         unit: Unit { symbol: "N*m".to_owned(), si: 1.0 },
         method: Method::default(),
-    }];
+    };
+    mechanism.asked = std::iter::once(Force::Torque(0)).chain(twists).map(asked).collect();
     mechanism.run_steadily();
     let turns = mechanism.turns_of_loads()?;
     let range = (turns > 1).then(|| [0.0, f64::from(turns) * std::f64::consts::TAU]);
@@ -435,6 +440,21 @@ impl Turned {
         let round = to - from;
         let times = libm::floor((angle - from) / round);
         (angle - times * round).clamp(from, to)
+    }
+
+    /// Whether every torsion spring is wound up after a period as it was before; why not, if not.
+    fn comes_back(&self, mechanism: &Mechanism) -> Result<(), String> {
+        let [before, after] = self.sweep.range.map(|end| self.sweep.at(end).unwrap_or_default());
+        // The first number is the torque at the input.
+        let twists = before.iter().zip(&after).skip(1).zip(mechanism.springs_that_wind_up());
+        for ((before, after), spring) in twists {
+            if let (Some(before), Some(after)) = (before, after)
+                && (after.value - before.value).abs() > ERRORS * (after.error + before.error)
+            {
+                return Err(mechanism.say_wound_up(spring));
+            }
+        }
+        Ok(())
     }
 
     /// T(2), N m, and how far it may be off.
@@ -619,6 +639,9 @@ fn numbers_of_cycle(
     };
     let knots = mechanism.forces.knots();
     let own = turned.is_some().then_some(OwnTorque { at: &at, knots: &knots });
+    if turned.is_some_and(|turned| turned.comes_back(mechanism).is_err()) {
+        return vec![None; asked.len()];
+    }
     let drawn = graphical::cycle::draw(Arithmetic::Double, cycle, mechanism.forces.gravity.g, asked, own);
     let Ok(sheet) = drawn else { return vec![None; asked.len()] };
     let number = |of: &CycleQuantity| match sheet.answer(*of) {

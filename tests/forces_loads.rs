@@ -823,3 +823,130 @@ fn the_part_of_a_force_stands_after_the_whole_name() {
     let why = refusal(text);
     assert!(why.contains("write arm(F(3,4),O2).static") && !why.contains("parenthesis"), "{why}");
 }
+
+/// A torque that is sought on a block which cannot turn balances nothing: of no pair between it and the crank is there a
+/// force, whatever equations are left out, and the drawing and the solver say so alike. What hangs on no balance stands.
+#[test]
+fn a_sought_load_without_work_leaves_no_forces_between_it_and_the_input() {
+    let scene = crank(
+        r#""angle": 121,"#,
+        r#""masses": { "4": { "mass": 1.5 } },
+        "loads": [ { "name": "R", "on": 4, "torque": "?" }, { "on": 2, "torque": "10.6 N*m" },
+                   { "on": 4, "at": "B", "force": [-400, 0] } ],
+        "find": ["load(R)", "F(2,3)", "F(1,2)", "F(4,1)", "Fin(4)"]"#,
+    );
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let reckoned = solve_analytically(&scene);
+    let agreement = check::agreement(&scene, &solved, &reckoned);
+    assert!(agreement.ok(), "{:?} {:?}", agreement.disagreements(), agreement.power);
+    let reckoned = reckoned.unwrap();
+    for (asked, reading) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
+        let refused = |answer: &Answer| matches!(answer, Answer::Indeterminate(_));
+        let wanted = asked.name != "Fin(4)";
+        assert_eq!(refused(&reading.answer), wanted, "{}: {:?}", asked.name, reading.answer);
+        assert_eq!(refused(&reckoned.answer(&asked.quantity)), wanted, "{}", asked.name);
+    }
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    let of_pairs: Vec<bool> = sweep.columns.iter().map(|column| column.name().starts_with("F(")).collect();
+    sweep.each_position(&sweep.equal_steps(12), |at, values| {
+        let open = |(value, of_pair): (&Option<f64>, &bool)| !of_pair || value.is_none();
+        assert!(values.iter().zip(&of_pairs).all(open), "at {at}: {values:?}");
+    });
+}
+
+/// Forces of a dyad that hangs on no link out of balance are what they are whoever drives: the rod 5 of a six-bar carries
+/// the load of its slider, F = P / cos φ, though the torque that is sought on the block 7 does no work.
+#[test]
+fn forces_beyond_links_out_of_balance_stand() {
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [150, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 160 },
+                   "4": { "joins": ["O4", "B"], "length": 90 }, "5": { "joins": ["B", "C"], "length": 200 } },
+        "slides": [ { "pin": "C", "block": 6, "on": { "link": 1, "through": [0, 60] } } ],
+        "near": { "B": [140, 90], "C": [330, 60] }, "input": { "link": 2, "angle": 70, "omega": "10 rad/s" },
+        "loads": [ { "name": "R", "on": 4, "at": "O4", "force": "?", "direction": 30 },
+                   { "on": 6, "at": "C", "force": [-300, 0] } ],
+        "find": ["load(R)", "F(5,6)", "F(3,4)", "x(B)", "x(C)"] }"#,
+    );
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let agreement = check::agreement(&scene, &solved, &solve_analytically(&scene));
+    assert!(agreement.ok(), "{:?} {:?}", agreement.disagreements(), agreement.power);
+    let answers: Vec<&Answer> =
+        solved.solution.construction.answers.iter().map(|reading| &reading.answer).collect();
+    let [Answer::Indeterminate(_), Answer::Vector { value: force, .. }, Answer::Indeterminate(_), b, c] =
+        answers[..]
+    else {
+        panic!("{answers:?}")
+    };
+    let (Answer::Vector { value: b, .. }, Answer::Vector { value: c, .. }) = (b, c) else { panic!() };
+    // The rod pushes the slider along itself; along the guide that is the load.
+    let slope = (c[1] - b[1]) / (c[0] - b[0]);
+    assert!((force[0] - 300.0).abs() < 1e-9 && (force[1] - 300.0 * slope).abs() < 1e-9, "{force:?}");
+}
+
+/// A yoke of one joint has its mass there, if the scene says no other place, whatever loads have own coordinates on it:
+/// T ω = −m a v − P v, with x = r cos θ.
+#[test]
+fn a_mass_stands_at_the_only_joint_beside_loads_in_own_coordinates() {
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "4": { "joins": ["Y"] } },
+        "slides": [ { "pin": "A", "block": 3, "on": { "link": 4, "through": "Y", "angle": 90 } },
+                    { "link": 4, "on": { "link": 1, "through": [0, 0] } } ],
+        "near": { "A": [42, 42], "Y": [42, 0] }, "input": { "link": 2, "angle": 45, "omega": 10 },
+        "masses": { "4": { "mass": 2 } }, "loads": [ { "on": 4, "at": [20, 5], "force": [-50, 0] } ],
+        "find": ["T(2)"] }"#,
+    );
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let sine = libm::sqrt(0.5);
+    let (speed, acceleration) = (-0.06 * 10.0 * sine, -0.06 * 100.0 * sine);
+    let torque = (2.0 * acceleration + 50.0) * speed / 10.0;
+    let Answer::Scalar { value, .. } = solved.solution.construction.answers[0].answer else { panic!() };
+    assert!((value - torque).abs() < 1e-12, "{value} {torque}");
+}
+
+/// A torsion spring between the frame and a crank that goes round is wound up by every turn: there is no closed cycle. One
+/// on the rocker is wound up as before.
+#[test]
+fn a_spring_that_is_wound_up_by_every_turn_leaves_no_cycle() {
+    let cycle = |link: u32| {
+        read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [150, -20] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 40 }}, "3": {{ "joins": ["A", "B"], "length": 140 }},
+                       "4": {{ "joins": ["O4", "B"], "length": 90 }} }},
+            "near": {{ "B": [140, 70] }}, "input": {{ "link": 2, "angle": 100, "omega": "5 rad/s" }},
+            "springs": [ {{ "name": "K", "links": [1, {link}], "stiffness": 5, "free": 80 }} ],
+            "loads": [ {{ "on": 4, "torque": "9 N*m", "direction": "against" }} ],
+            "find": ["Tmean", "Ef"], "cycle": {{ "load": {{ "of": 2 }} }} }}"#
+        ))
+    };
+    for (link, closes) in [(2, false), (3, true), (4, true)] {
+        let scene = cycle(link);
+        match solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene) {
+            Err(why) => assert!(!closes && why.to_string().contains("no closed cycle"), "{link}: {why}"),
+            Ok(solved) => {
+                let agreement = check::agreement(&scene, &solved, &solve_analytically(&scene));
+                assert!(closes && agreement.ok(), "{link}: {:?}", agreement.disagreements());
+            }
+        }
+        if !closes {
+            let state = solve_analytically(&scene).unwrap();
+            let answer = state.answer(&scene.mechanism.asked[0].quantity);
+            assert!(matches!(answer, Answer::Indeterminate(_)), "{answer:?}");
+        }
+    }
+}
+
+/// The distance of a force that is zero: it has no line, and nothing is a dead centre.
+#[test]
+fn a_force_that_is_zero_within_its_error_has_no_line() {
+    let scene = crank(
+        r#""angle": 70,"#,
+        r#""loads": [ { "on": 2, "torque": "0.1 N*m" }, { "on": 4, "at": "B", "force": [0, -7] },
+                     { "on": 3, "torque": 0 } ],
+        "find": ["arm(F(3,4),O2)", "F(3,4)", "T(2)"]"#,
+    );
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let Answer::Indeterminate(why) = &solved.solution.construction.answers[0].answer else { panic!() };
+    assert!(why.to_string().contains("has no line"), "{why}");
+}

@@ -155,12 +155,7 @@ pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<As
     // Where places say more than is needed, which equations are kept is told by their form; those may say nothing where the
     // mechanism stands, as the x of a pin at the end of a level link: within the rooms of the places it may be met nowhere,
     // or twice. Then others are kept.
-    let mut by_axis: Vec<usize> = (0..rows).collect();
-    by_axis.sort_by_key(|row| match model.position[*row] {
-        Row::Coincide(_, _, axis) => 2 - 2 * axis.min(1),
-        _ => 1,
-    });
-    [(0..rows).rev().collect(), by_axis]
+    other_sequences(model)
         .into_iter()
         .map(|sequence| assemble_by(model, (&pattern, sequence), coarsest, patience))
         .find(|other| match other {
@@ -169,6 +164,35 @@ pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<As
             Err(_) => false,
         })
         .unwrap_or(found)
+}
+
+/// Other sequences in which equations may be kept, where there are more than are needed.
+fn other_sequences(model: &Model) -> [Vec<usize>; 2] {
+    let rows = model.position.len();
+    let mut by_axis: Vec<usize> = (0..rows).collect();
+    by_axis.sort_by_key(|row| match model.position[*row] {
+        Row::Coincide(_, _, axis) => 2 - 2 * axis.min(1),
+        _ => 1,
+    });
+    [(0..rows).rev().collect(), by_axis]
+}
+
+/// The same assembly by other equations, where there are more than are needed: of two guides on one line, with the links
+/// that carry them standing by their places, the second one says no more of what rides in both.
+pub(super) fn by_other_equations(model: &Model, found: &Assembly, coarsest: f64) -> Vec<Assembly> {
+    if found.ordering.spare.is_empty() {
+        return Vec::new();
+    }
+    let Ok(pattern) = model.pattern(&model.position, 0) else { return Vec::new() };
+    let apart = |column: usize, by: f64| if column % 3 == 2 { wrapped(by) } else { by };
+    let is_same = |other: &Assembly| {
+        let pairs = other.pose.iter().zip(&found.pose).enumerate();
+        pairs.into_iter().all(|(column, (one, other))| apart(column, one - other).abs() <= SAME)
+    };
+    let others = other_sequences(model).into_iter();
+    let assembled =
+        others.filter_map(|sequence| assemble_by(model, (&pattern, sequence), coarsest, 1.0).ok());
+    assembled.filter(is_same).collect()
 }
 
 /// The same, with equations kept in this sequence.

@@ -85,9 +85,11 @@ fn waves(of: &[Harmonic]) -> Vec<[f64; 2]> {
 }
 
 impl<'a> Torque<'a> {
-    fn new(course: &Course, sign: f64, standing: Option<Standing<'a>>) -> Told<Self> {
+    fn new(course: &Course, sign: f64, period: f64, standing: Option<Standing<'a>>) -> Told<Self> {
         Ok(match course {
-            Course::Of(_) => Self::Of(OwnTorque::new(standing.ok_or("the mechanism does not move")?, sign)),
+            Course::Of(_) => {
+                Self::Of(OwnTorque::new(standing.ok_or("the mechanism does not move")?, sign, period)?)
+            }
             Course::Curve(Curve::Table { knots, period }) => Self::Table {
                 start: knots.first().ok_or("the table is empty")?[0].value,
                 knots: knots.iter().map(|[at, size]| [at.value, size.value]).collect(),
@@ -347,11 +349,12 @@ pub(super) fn turning(
             turning.of_areas(areas, torque.value * angle.value, total.map(|total| total.value))?;
             return Ok(turning);
         }
-        Sides::Torque(torque) => [Some(Torque::new(torque, -sense, standing)?), None],
-        Sides::Load(load) => [None, Some(Torque::new(load, sense, standing)?)],
-        Sides::Both { torque, load } => {
-            [Some(Torque::new(torque, -sense, standing)?), Some(Torque::new(load, sense, standing)?)]
-        }
+        Sides::Torque(torque) => [Some(Torque::new(torque, -sense, cycle.period.value, standing)?), None],
+        Sides::Load(load) => [None, Some(Torque::new(load, sense, cycle.period.value, standing)?)],
+        Sides::Both { torque, load } => [
+            Some(Torque::new(torque, -sense, cycle.period.value, standing)?),
+            Some(Torque::new(load, sense, cycle.period.value, standing)?),
+        ],
     };
     let number = cycle.copies.number;
     let sizes: f64 = sides.iter().flatten().map(Torque::size).sum();

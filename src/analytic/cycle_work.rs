@@ -16,6 +16,8 @@ use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 
 /// So far beside a place where a load has no direction it has one, radians.
 const BESIDE: f64 = 1e-6;
+/// Steps of a period in which torsion springs are followed.
+const FOLLOWED: u32 = 144;
 /// Pieces of a turn between which powers are integrated.
 const PIECES: u32 = 36;
 /// Nodes and weights of the rule of fifteen points, and the weights of the seven of Gauss among them.
@@ -54,11 +56,16 @@ pub(super) struct OwnTorque<'a> {
 }
 
 impl<'a> OwnTorque<'a> {
-    pub(super) fn new(standing: Standing<'a>, sign: f64) -> Self {
+    /// The torque of a mechanism over a period of its input.
+    ///
+    /// # Errors
+    /// Why the period does not close.
+    pub(super) fn new(standing: Standing<'a>, sign: f64, period: f64) -> Told<Self> {
+        wound_up_as_before(standing, period)?;
         let knots = standing(0.0).map_or_else(Vec::new, |mechanism| {
             mechanism.forces.knots().iter().map(|knot| knot.map(|given| given.value)).collect()
         });
-        Self { standing, sign, torques: RefCell::default(), pieces: RefCell::default(), knots }
+        Ok(Self { standing, sign, torques: RefCell::default(), pieces: RefCell::default(), knots })
     }
 
     /// Where the curves of loads bend or leap, each with the angle after which it comes again.
@@ -436,6 +443,34 @@ impl<'a> OwnTorque<'a> {
             if size > 0.0 { size * libm::pow(200.0 * apart / size, 1.5).min(apart / size) } else { 0.0 };
         Ok(Known { value: fine * half, bound: missed + loose * half + 256.0 * U * size })
     }
+}
+
+/// Whether the links of every torsion spring have turned back against each other at the end of a period: their angles are
+/// followed from place to place.
+fn wound_up_as_before(standing: Standing<'_>, period: f64) -> Told<()> {
+    let Some(mechanism) = standing(0.0) else { return Ok(()) };
+    for spring in mechanism.springs_that_wind_up() {
+        let SpringKind::Torsion([first, second]) = mechanism.forces.springs[spring].kind else { continue };
+        let turned = |at: f64| {
+            let moved = standing(at)?;
+            let moving = [first, second].into_iter().filter(|link| *link != LinkId::FRAME);
+            let quantities: Vec<Quantity> = moving.map(Quantity::Angle).collect();
+            let state = solve_for(&moved, &quantities).ok()?;
+            let angle = |link: LinkId| match link {
+                LinkId::FRAME => Some(0.0),
+                _ => scalar(&state, Quantity::Angle(link)).map(|known| known.value),
+            };
+            Some(angle(second)? - angle(first)?)
+        };
+        let places = (0..=FOLLOWED).map(|step| period * f64::from(step) / f64::from(FOLLOWED));
+        let angles: Vec<f64> = places.filter_map(turned).collect();
+        let step = |pair: &[f64]| libm::remainder(pair[1] - pair[0], std::f64::consts::TAU);
+        let gone: f64 = angles.windows(2).map(step).sum();
+        if gone.abs() > std::f64::consts::PI {
+            return Err(mechanism.say_wound_up(spring));
+        }
+    }
+    Ok(())
 }
 
 fn undetermined(at: f64) -> String {

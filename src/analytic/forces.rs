@@ -157,9 +157,18 @@ impl State {
             {
                 return Err(why.clone());
             }
+            if !balance.unbalanced.is_empty()
+                && hangs_on(balance, &mut by_forces(&tape.sweep(var), balance), |body| {
+                    balance.unbalanced.contains(&body)
+                })
+            {
+                return Err(Indeterminate::Singular);
+            }
             if let Some(why) = &self.stuck
                 && !self.resting.is_empty()
-                && self.hangs_on_rest(&tape.sweep(var), balance)
+                && hangs_on(balance, &mut by_forces(&tape.sweep(var), balance), |body| {
+                    self.resting.contains(&body)
+                })
             {
                 return Err(why.clone());
             }
@@ -175,31 +184,11 @@ impl State {
     /// Whether a number hangs on the balance of a body on which something without a direction acts, or on what such a
     /// thing would fix.
     fn strays(&self, number: &Linear, burden: &Burden, balance: &Balance, share: Share) -> bool {
-        let mut gradient = vec![0.0; balance.x.len()];
-        for (leaf, slope) in &number.terms {
-            if let Leaf::Force(at) = leaf {
-                gradient[*at] += slope;
-            }
-        }
+        let mut gradient = by_forces(number, balance);
         if gradient.iter().zip(&balance.undetermined).any(|(g, lost)| *lost && *g != 0.0) {
             return true;
         }
-        let behind = balance.system.adjoint(&mut gradient).rows;
-        // Three balances of each body, the frame has none.
-        behind.iter().any(|(row, weight)| *weight != 0.0 && burden.strays_on(row / 3 + 1, share))
-    }
-
-    /// Whether a number hangs on the balance of a body at which a pair rubs that does not move: nobody knows its friction.
-    fn hangs_on_rest(&self, number: &Linear, balance: &Balance) -> bool {
-        let mut gradient = vec![0.0; balance.x.len()];
-        for (leaf, slope) in &number.terms {
-            if let Leaf::Force(at) = leaf {
-                gradient[*at] += slope;
-            }
-        }
-        let behind = balance.system.adjoint(&mut gradient).rows;
-        // Three balances of each body, the frame has none.
-        behind.iter().any(|(row, weight)| *weight != 0.0 && self.resting.contains(&(row / 3 + 1)))
+        hangs_on(balance, &mut gradient, |body| burden.strays_on(body, share))
     }
 
     /// What acts without a direction here, because two places are one or nothing moves, and why.
@@ -548,4 +537,22 @@ impl State {
 
 fn scalar(m: Measured, unit: f64) -> Answer {
     Answer::Scalar { value: m.value * unit, bound: m.bound * unit }
+}
+
+/// How a number changes with each unknown of a balance.
+fn by_forces(number: &Linear, balance: &Balance) -> Vec<f64> {
+    let mut gradient = vec![0.0; balance.x.len()];
+    for (leaf, slope) in &number.terms {
+        if let Leaf::Force(at) = leaf {
+            gradient[*at] += slope;
+        }
+    }
+    gradient
+}
+
+/// Whether a number with this gradient towards the unknowns, of which none is left, hangs on the balance of such a body.
+fn hangs_on(balance: &Balance, gradient: &mut [f64], is_such: impl Fn(usize) -> bool) -> bool {
+    let behind = balance.system.adjoint(gradient).rows;
+    // Three balances of each body, the frame has none.
+    behind.iter().any(|(row, weight)| *weight != 0.0 && is_such(row / 3 + 1))
 }

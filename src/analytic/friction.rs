@@ -596,5 +596,6 @@ pub(super) fn balance(
     if !matches!(found, Found::One(_)) {
         undetermined.fill(true);
     }
-    Ok((found, Balance { x, rows, system, undetermined, strength }))
+    let unbalanced = balancing.unbalanced(&undetermined);
+    Ok((found, Balance { x, rows, system, undetermined, unbalanced, strength }))
 }

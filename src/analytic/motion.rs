@@ -137,6 +137,11 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
 }
 
 impl Located {
+    /// Whether every group of equations determines its unknowns.
+    pub(super) fn stands_firm(&self) -> bool {
+        self.system.blocks.iter().all(|block| block.inverse.is_some())
+    }
+
     /// By how much the worst of the equations misses that were not needed to find the position, beyond what the given numbers
     /// leave open of it.
     pub(super) fn contradiction(&self, model: &Model) -> f64 {

@@ -1,7 +1,7 @@
 //! A solved mechanism, and the bound of a number read off it.
 
 use super::AnalyticError;
-use super::assembly::assemble;
+use super::assembly::{assemble, by_other_equations};
 use super::constraints::{Formulas, Motion, Scope};
 use super::cycle::Turning;
 use super::figure;
@@ -98,7 +98,7 @@ impl State {
         };
         let (mut model, mut burden) = build(&standing)?;
         let placed = standing.points.iter().any(|point| matches!(point.place, Place::Placed(_)));
-        let assembly = match assemble(&model, tolerance, 1.0) {
+        let mut assembly = match assemble(&model, tolerance, 1.0) {
             Err(error @ AnalyticError::CannotAssemble { .. }) if placed => {
                 // Rounded places may contradict by more where a long lever magnifies it, and by no more than that.
                 let patient =
@@ -113,6 +113,13 @@ impl State {
             found => found?,
         };
         let mut located = locate(&model, assembly.clone())?;
+        if !located.stands_firm() {
+            let others = by_other_equations(&model, &assembly, tolerance).into_iter();
+            let mut firm = others.filter_map(|other| Some((locate(&model, other.clone()).ok()?, other)));
+            if let Some(other) = firm.find(|(located, _)| located.stands_firm()) {
+                (located, assembly) = other;
+            }
+        }
         let missed = if tolerance > 0.0 { 0.0 } else { located.contradiction(&model) };
         if missed > 0.0 {
             // Places that are rounded beside dimensions or guides: as far as they contradict these they may be elsewhere.

@@ -225,6 +225,9 @@ pub(super) struct Balance {
     pub(super) system: System,
     /// Unknowns that balance does not fix.
     pub(super) undetermined: Vec<bool>,
+    /// Bodies that are out of balance, since what is sought does no work: whichever of them is left out, what hangs on the
+    /// others comes out differently.
+    pub(super) unbalanced: Vec<usize>,
     /// How pairs rub.
     pub(super) strength: Strength,
 }
@@ -1141,6 +1144,25 @@ pub(super) struct Balancing<'a> {
 }
 
 impl<'a> Balancing<'a> {
+    /// The bodies that are out of balance where a size that is sought elsewhere than at an input is not determined: those
+    /// on which it acts, and those that are driven.
+    pub(super) fn unbalanced(&self, undetermined: &[bool]) -> Vec<usize> {
+        let mechanism: &Mechanism = &self.model.mechanism;
+        let sizes = &undetermined[self.burden.pairs.len()..];
+        let lost = self.burden.sought.iter().zip(sizes).filter(|(_, lost)| **lost).map(|(sought, _)| *sought);
+        let mut links: Vec<LinkId> = lost
+            .filter(|sought| !mechanism.is_sought_at_input(*sought))
+            .flat_map(|sought| mechanism.loaded_by(sought))
+            .collect();
+        if !links.is_empty() {
+            for input in 0..mechanism.inputs.len() {
+                links.extend(mechanism.driven_link(input));
+                links.extend(mechanism.driven_between(input));
+            }
+        }
+        links.into_iter().filter(|link| *link != LinkId::FRAME).map(|link| link.0).collect()
+    }
+
     /// Of what acts.
     pub(super) const fn share(&self) -> Share {
         self.share
@@ -1265,7 +1287,8 @@ fn balance_with(balancing: &Balancing<'_>, strength: Strength) -> Result<Balance
         }
         rows = balancing.evaluate(&x, &strength, None)?;
     }
-    Ok(Balance { x, rows, system, undetermined, strength })
+    let unbalanced = balancing.unbalanced(&undetermined);
+    Ok(Balance { x, rows, system, undetermined, unbalanced, strength })
 }
 
 /// The equations of pairs, each with the pair of which it is.

@@ -611,6 +611,85 @@ impl Mechanism {
         }
     }
 
+    /// The torsion springs whose torque hangs on how far they are wound up.
+    pub fn springs_that_wind_up(&self) -> impl Iterator<Item = usize> + '_ {
+        let winds = |spring: &Spring| {
+            matches!((spring.kind, spring.law), (SpringKind::Torsion(_), SpringLaw::Stiffness { .. }))
+        };
+        let springs = self.forces.springs.iter().enumerate();
+        springs.filter(move |(_, spring)| winds(spring)).map(|(index, _)| index)
+    }
+
+    /// Why a mechanism with this torsion spring has no closed cycle, as a clause in plain English.
+    #[must_use]
+    pub fn say_wound_up(&self, spring: usize) -> String {
+        let name = &self.forces.springs[spring].name;
+        format!("no closed cycle: the torsion spring {name} is wound up further with every turn of the input")
+    }
+
+    /// The links on which what is sought acts, the frame left out. None of an effort, whose input is balanced last.
+    #[must_use]
+    pub fn loaded_by(&self, sought: Sought) -> Vec<LinkId> {
+        let mut links = match sought {
+            Sought::Load(index) => vec![self.forces.loads[index].link],
+            Sought::Spring(index) => match self.forces.springs[index].kind {
+                SpringKind::Pull(ends) => ends.map(|(link, _)| link).to_vec(),
+                SpringKind::Torsion(links) => links.to_vec(),
+            },
+            Sought::Spin => self.forces.masses.iter().map(|mass| mass.link).collect(),
+            Sought::Effort(_) => Vec::new(),
+        };
+        links.retain(|link| *link != LinkId::FRAME);
+        links
+    }
+
+    /// Whether all that what is sought acts on is driven by an angle: where it does no work, that link alone is left out of
+    /// balance, and all others are balanced without it.
+    #[must_use]
+    pub fn is_sought_at_input(&self, sought: Sought) -> bool {
+        let driven =
+            |link: &LinkId| (0..self.inputs.len()).any(|input| self.driven_link(input) == Some(*link));
+        self.loaded_by(sought).iter().all(driven)
+    }
+
+    /// Whether what is sought does no work wherever the mechanism stands: a torque on a link that never turns, a force on a
+    /// point of the frame.
+    #[must_use]
+    pub fn is_always_idle(&self, sought: Sought) -> bool {
+        let Sought::Load(index) = sought else { return false };
+        let load = &self.forces.loads[index];
+        match load.kind {
+            LoadKind::Torque { .. } => self.never_turns(load.link),
+            LoadKind::Force { at, .. } | LoadKind::Vector { at, .. } => {
+                self.point(at).links.contains(&LinkId::FRAME)
+            }
+        }
+    }
+
+    /// Whether a link is the frame, or slides on a straight guide of one that never turns without turning against it.
+    fn never_turns(&self, link: LinkId) -> bool {
+        let mut never = vec![false; self.links.len()];
+        let mut found = vec![LinkId::FRAME];
+        while let Some(still) = found.pop() {
+            if std::mem::replace(&mut never[still.0], true) {
+                continue;
+            }
+            for slide in
+                self.slides.iter().filter(|slide| matches!(slide.guide.path, super::Path::Straight { .. }))
+            {
+                let (Rider::Link { link: rider, .. } | Rider::Pin { block: Some(rider), .. }) = slide.rider
+                else {
+                    continue;
+                };
+                let pair = [rider, slide.guide.link];
+                if pair.contains(&still) {
+                    found.extend(pair.into_iter().filter(|&other| other != still));
+                }
+            }
+        }
+        never[link.0]
+    }
+
     /// The link that an input drives by its angle.
     #[must_use]
     pub fn driven_link(&self, input: usize) -> Option<LinkId> {

@@ -183,6 +183,10 @@ impl ForceName<'_, '_, '_> {
 
     fn massive(&self, text: &str) -> Res<LinkId> {
         let link = self.link(text)?;
+        if link == LinkId::FRAME {
+            let what = "link 1 is the frame and has no mass";
+            return Err(self.fault(what.to_owned()).mend("ask for that of a moving link"));
+        }
         if self.draft.mechanism.forces.mass(link).is_none() {
             return Err(self.fault(format!("{} has no mass", self.draft.say(link))).mend(format!(
                 "give it one in `masses`: \"{}\": {{\"mass\": …}}",

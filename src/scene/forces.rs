@@ -14,7 +14,7 @@ use crate::mechanism::force::{
     Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Pressure, Size, Spring, SpringKind,
     SpringLaw,
 };
-use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId};
+use crate::mechanism::{Form, Given, Input, Link, LinkId, Place, PointId};
 
 /// What is written where a number is to be found.
 const SOUGHT: &str = "?";
@@ -195,7 +195,13 @@ fn spot(
 
 /// Whether a link has no joint but its first, whatever points it has by own coordinates besides.
 fn has_one_joint(link: LinkId, draft: &Draft<'_>) -> bool {
-    draft.link(link).form == Form::Single || draft.wide_blocks.contains(&link)
+    let Link { form, points, extra, .. } = draft.link(link);
+    match form {
+        Form::Single => true,
+        Form::Placed => false,
+        // A link that slides has its own axes by its guide as soon as it has a point by own coordinates.
+        _ => draft.wide_blocks.contains(&link) || points.len() == extra.len() + 1,
+    }
 }
 
 /// A point of a link, by name or by own coordinates.

@@ -15,6 +15,7 @@ use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::printed::either;
 use super::rich::Rich;
+use super::scale;
 use super::skeleton::{self, Arrows, Overlay};
 use super::statics::arm_name;
 use crate::graphical::construction::{
@@ -23,9 +24,10 @@ use crate::graphical::construction::{
 };
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
-use crate::mechanism::{LinkId, Roll};
+use crate::mechanism::{LinkId, Rider, Roll};
 
-/// Room for a polygon, mm: the first in which no side is too short for its name.
+/// Room for a polygon on upright A4, mm: the first in which no side is too short for its name. On other paper it grows as
+/// the diagrams of the motion do.
 const POLYGON: [f64; 3] = [85.0, 110.0, 140.0];
 /// A scale that is coarser by no more than this takes in a polygon that could have a finer one.
 const HARDLY: f64 = 1.3;
@@ -531,7 +533,8 @@ fn filling(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Op
         strokes.iter().map(Stroke::length).filter(|length| *length > size / HOPELESS).collect();
     let unit = notation.scene.units.force.si;
     let crowded = |scale: f64| lengths.iter().filter(|length| **length / scale < CROWDED).count();
-    let scales = POLYGON.iter().map(|room| round_scale(size, *room, unit));
+    let (wider, higher) = scale::stretch(notation.scene);
+    let scales = POLYGON.iter().map(|room| round_scale(size, room * wider.min(higher), unit));
     scales.reduce(|best, next| if crowded(next) < crowded(best) { next } else { best })
 }
 
@@ -581,13 +584,28 @@ pub(super) fn symbol(action: Action, notation: &Notation<'_>) -> Rich {
     super::force_names::acting(notation, action)
 }
 
-/// An arrow at a place, whose length only hints at the size.
+/// Whether another arrow goes on in line with one, next to its head: a name there would be read as that of the other.
+fn goes_on((from, to): Stretch, all: &[Stretch]) -> bool {
+    /// Room of a name beside a head, mm.
+    const NAME: f64 = 6.0;
+    let along = (to - from).normalize();
+    let in_line =
+        |(a, b): &Stretch| [a, b].iter().all(|end| (**end - from).cross(along).abs() < ON_EACH_OTHER.0);
+    let next_to_head = |(a, b): &Stretch| {
+        let [start, end] = [a, b].map(|end| (*end - to).dot(along));
+        start.min(end) < NAME && start.max(end) > -NAME
+    };
+    let others = all.iter().filter(|(a, b)| a.distance(from) > 1e-6 || b.distance(to) > 1e-6);
+    others.filter(|other| in_line(other)).any(|other| next_to_head(other))
+}
+
+/// An arrow at a place, whose length only hints at the size; all arrows of the drawing tell where its name stands.
 fn short_arrow(
     group: &mut Group,
     requests: &mut Vec<Request>,
     acting: &Acting,
     at: Point,
-    most: f64,
+    (most, all): (f64, &[Stretch]),
     notation: &Notation<'_>,
 ) {
     let size = libm::hypot(acting.force[0], acting.force[1]);
@@ -604,13 +622,13 @@ fn short_arrow(
     arrow(&mut own, at, to, THICK);
     group.group(own);
     let text = symbol(acting.action, notation);
-    let mut request = Request::new(
-        text,
-        SMALL,
-        Site::Around { at: to, radius: 1.0, toward: Some(libm::atan2(-along.y, along.x)) },
-        "label force-name",
-    );
-    request = request.or(Site::Along { from: at, to });
+    let beside = Site::Along { from: at, to };
+    let at_head = Site::Around { at: to, radius: 1.0, toward: Some(libm::atan2(-along.y, along.x)) };
+    let mut request = if goes_on((at, to), all) {
+        Request::new(text, SMALL, beside, "label force-name")
+    } else {
+        Request::new(text, SMALL, at_head, "label force-name").or(beside)
+    };
     request.leader = true;
     requests.push(request);
 }
@@ -655,7 +673,14 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                 turning(&mut overlay.ink, &mut overlay.labels, known, (at, 6.5), notation);
             }
         }
-        for acting in &all {
+        let arrows: Vec<Point> = all
+            .iter()
+            .map(|acting| {
+                let through = on_page(acting.through, construction);
+                off_the_link((&all_bars, &mut taken), acting, through, most)
+            })
+            .collect();
+        for (acting, at_arrow) in all.iter().zip(arrows) {
             let (at, through) = (on_page(acting.at, construction), on_page(acting.through, construction));
             if at.distance(through) > 1.0 {
                 // h, from the mass centre to the line of its inertia force.
@@ -672,8 +697,7 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                     overlay.labels.push(request);
                 }
             }
-            let at_arrow = off_the_link((&all_bars, &mut taken), acting, through, most);
-            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at_arrow, most, notation);
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at_arrow, (most, &taken), notation);
             if let (Action::Inertia(link), true) = (acting.action, acting.with_couple) {
                 let torque = Force::InertiaTorque(link);
                 if let Some(value) = couple_of(sheet, link) {
@@ -946,10 +970,13 @@ fn sum_line(
         let Some(frame) = Frame::of_skeleton(&bare) else { return overlay };
         let near = bare.space.places.iter().flatten().map(|place| page(*place)).next();
         let shown = (construction, notation);
+        let mut arrows = Vec::new();
         for acting in forces {
             let at = frame.arrow_at(&mut overlay, acting, near, shown);
-            let at = beyond(&mut taken, acting, at, most);
-            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
+            arrows.push((acting, beyond(&mut taken, acting, at, most)));
+        }
+        for (acting, at) in arrows {
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, (most, &taken), notation);
         }
         // The sum stands on its line where nothing else stands.
         let foot = frame.arrow_at(&mut overlay, &whole, near, shown);
@@ -960,7 +987,7 @@ fn sum_line(
             let line = Shape::Line(foot, from);
             overlay.ink.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
         }
-        short_arrow(&mut overlay.ink, &mut overlay.labels, &whole, from, most, notation);
+        short_arrow(&mut overlay.ink, &mut overlay.labels, &whole, from, (most, &taken), notation);
         arms(&mut overlay.ink, &mut overlay.labels, &moments, frame, (sheet, construction, notation));
         overlay
     }))
@@ -987,10 +1014,13 @@ fn asked_arms(sheet: &ForceSheet, construction: &Construction, notation: &Notati
         let mut taken = Vec::new();
         let Some(frame) = Frame::of_skeleton(&bare) else { return overlay };
         let near = bare.space.places.iter().flatten().map(|place| page(*place)).next();
+        let mut arrows = Vec::new();
         for acting in &acting {
             let at = frame.arrow_at(&mut overlay, acting, near, (construction, notation));
-            let at = beyond(&mut taken, acting, at, most);
-            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
+            arrows.push((acting, beyond(&mut taken, acting, at, most)));
+        }
+        for (acting, at) in arrows {
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, (most, &taken), notation);
         }
         for own in &own {
             arms(&mut overlay.ink, &mut overlay.labels, own, frame, (sheet, construction, notation));
@@ -1186,6 +1216,33 @@ struct Free<'a> {
 }
 
 impl Free<'_> {
+    /// Where forces act on these bodies that are none of their own points: what slides on their guides, and where they roll,
+    /// each with its name.
+    fn touched(&self, construction: &Construction, notation: &Notation<'_>) -> Vec<(Point, Rich)> {
+        let m = notation.mechanism();
+        let of = |link: LinkId| self.of.contains(&Party::Link(link));
+        let riders =
+            m.slides.iter().filter(|slide| of(slide.guide.link)).filter_map(|slide| match slide.rider {
+                Rider::Pin { point, .. } => Some(point),
+                Rider::Link { link, .. } => m.link(link).points.first().copied(),
+            });
+        let rolling = m.rolls.iter().zip(&m.contacts).filter(|(roll, _)| roll.bodies().into_iter().any(of));
+        let mut found: Vec<(Point, Rich)> = Vec::new();
+        for point in riders.chain(rolling.map(|(_, contact)| *contact)) {
+            let Some(Some(at)) = construction.space.places.get(point.0) else { continue };
+            let at = page(*at);
+            let acts = |acting: &Acting| {
+                [acting.at, acting.through]
+                    .iter()
+                    .any(|place| on_page(*place, construction).distance(at) < 1.0)
+            };
+            if self.acting.iter().any(acts) && found.iter().all(|(other, _)| other.distance(at) > 1.0) {
+                found.push((at, notation.point(point)));
+            }
+        }
+        found
+    }
+
     fn draw(&self, sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Group {
         let mechanism = notation.mechanism();
         let mut group = Group::new("free-body");
@@ -1214,10 +1271,8 @@ impl Free<'_> {
                     let mut riders: Vec<Point> = slides
                         .filter_map(|slide| {
                             let rider = match slide.rider {
-                                crate::mechanism::Rider::Pin { point, .. } => point,
-                                crate::mechanism::Rider::Link { link, .. } => {
-                                    *mechanism.link(link).points.first()?
-                                }
+                                Rider::Pin { point, .. } => point,
+                                Rider::Link { link, .. } => *mechanism.link(link).points.first()?,
                             };
                             Some(page((*construction.space.places.get(rider.0)?)?))
                         })
@@ -1244,6 +1299,19 @@ impl Free<'_> {
                 }
             }
         }
+        for (at, name) in self.touched(construction, notation) {
+            if places.iter().all(|(other, ..)| other.distance(at) > 1.0) {
+                let mut own = Group::new("touched");
+                own.mark(dot(at, 0.6).precise());
+                group.group(own);
+                requests.push(Request::new(
+                    name,
+                    LABEL,
+                    Site::Around { at, radius: 1.2, toward: None },
+                    "label point-name",
+                ));
+            }
+        }
         for (at, name, _) in &places {
             requests.push(Request::new(
                 name.clone(),
@@ -1265,25 +1333,57 @@ impl Free<'_> {
         let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
         let most = largest(&everything);
         let mut taken = Vec::new();
-        for acting in self.acting {
+        // An arm that a moment takes leads to a line that lies far off, and says how far.
+        let by_arm = |acting: &Acting| {
+            let takes = |moments: &&&MomentBalance| {
+                let mut terms = moments.terms.iter().chain([&moments.found]);
+                terms.any(|term| term.of == Turning::Force(acting.action) && term.arm.is_some())
+            };
+            match self.moments.iter().find(takes)?.about {
+                About::Point(point) => construction.space.places.get(point.0).copied().flatten().map(page),
+                About::Meet { at, .. } | About::Contact { at, .. } | About::Centre { at, .. } => {
+                    Some(on_page(at, construction))
+                }
+            }
+        };
+        let near = |acting: &Acting| {
             let on_line = on_page(acting.through, construction);
-            let near = places.iter().map(|(at, ..)| *at);
-            let near = near.min_by(|a, b| a.distance(on_line).total_cmp(&b.distance(on_line)));
+            let places = places.iter().map(|(at, ..)| *at);
+            let nearest = places.min_by(|a, b| a.distance(on_line).total_cmp(&b.distance(on_line)));
+            (on_line, by_arm(acting).or(nearest))
+        };
+        // Where all arrows stand tells where the name of each one does.
+        let full = |acting: &&Acting| acting.known == Knowledge::Full;
+        let arrows: Vec<Point> = self
+            .acting
+            .iter()
+            .filter(full)
+            .map(|acting| {
+                let (on_line, near) = near(acting);
+                let (Stand::At(at) | Stand::Border(at)) = frame.stand(acting, on_line, near);
+                off_the_link((&all_bars, &mut taken), acting, at, most)
+            })
+            .collect();
+        let mut arrows = arrows.into_iter();
+        for acting in self.acting {
+            let (on_line, near) = near(acting);
             let at = match frame.stand(acting, on_line, near) {
                 Stand::At(at) => at,
                 Stand::Border(border)
                     if acting.known == Knowledge::Full || acting.known == Knowledge::Line =>
                 {
-                    let force = (acting, on_line, border);
-                    far_off(&mut group, &mut requests, force, near, (construction, notation));
+                    if by_arm(acting).is_none() {
+                        let force = (acting, on_line, border);
+                        far_off(&mut group, &mut requests, force, near, (construction, notation));
+                    }
                     border
                 }
                 Stand::Border(_) => on_page(acting.at, construction),
             };
             match acting.known {
                 Knowledge::Full => {
-                    let at = off_the_link((&all_bars, &mut taken), acting, at, most);
-                    short_arrow(&mut group, &mut requests, acting, at, most, notation);
+                    let at = arrows.next().unwrap_or(at);
+                    short_arrow(&mut group, &mut requests, acting, at, (most, &taken), notation);
                 }
                 known => match acting.parts {
                     Some(parts) => {

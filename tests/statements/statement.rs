@@ -762,6 +762,7 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
         Rider::Pin { .. } => false,
     };
     let told = Told {
+        joins: w.joins.clone(),
         stands: (0..m.points.len()).map(|p| w.stands(p)).collect(),
         as_placed: m.slides.iter().map(as_placed).collect(),
         inputs: inputs.iter().map(|said| said.get("angle").or(said.get("at")).is_some()).collect(),

@@ -162,6 +162,8 @@ pub(crate) struct Told {
     pub(crate) as_placed: Vec<bool>,
     /// By input: its angle, or its place along the guide.
     pub(crate) inputs: Vec<bool>,
+    /// By body: its joints in the order in which they are said; the first one of a link that rides lies on the guide.
+    pub(crate) joins: Vec<Vec<usize>>,
     /// By body: its axes are the world's, whatever else is said.
     pub(crate) upright: Vec<bool>,
 }
@@ -173,6 +175,11 @@ fn loose_points(mechanism: &Mechanism, told: &Told, angles: bool) -> usize {
     const ZERO: f64 = 1e-9;
     /// A coordinate that changes by less than this part of what changes at all stands.
     const STANDS: f64 = 1e-6;
+    let mut as_said = mechanism.clone();
+    for (body, joins) in as_said.bodies.iter_mut().zip(&told.joins) {
+        body.joins.clone_from(joins);
+    }
+    let mechanism = &as_said;
     let mut state = start(mechanism);
     let unknowns = state.jets.len();
     let size = mechanism.size();

@@ -117,6 +117,8 @@ pub(super) struct Balance {
     pub(super) taken: Vec<Taken>,
     /// What could not be drawn, and why.
     pub(super) refused: Option<&'static str>,
+    /// The links that were not come to are out of balance, since what is sought does no work.
+    pub(super) unbalanced: bool,
     /// Where forces touch friction circles, and how they lean.
     leaning: Leaning,
 }
@@ -374,6 +376,17 @@ fn one(
     (share, leaning): (Share, &Leaning),
     assumed: Vec<(Sought, Amount)>,
 ) -> Balance {
+    until(d, plan, (share, leaning), assumed, &[])
+}
+
+/// The same as far as the group that holds one of these links: this one and those that it leans on are left out.
+fn until(
+    d: &mut Draughtsman<'_>,
+    plan: &Plan,
+    (share, leaning): (Share, &Leaning),
+    assumed: Vec<(Sought, Amount)>,
+    unbalanced: &[LinkId],
+) -> Balance {
     let mut balance = Balance {
         known: vec![Vec::new(); d.mechanism.links.len()],
         assumed,
@@ -389,6 +402,10 @@ fn one(
     d.lay_off_drags(&mut balance);
     for &group in plan.forces.groups.iter().rev() {
         let group = d.structure.groups[group].clone();
+        if group.links.iter().any(|link| unbalanced.contains(link)) {
+            balance.unbalanced = true;
+            break;
+        }
         groups::into_balance(d, &group, &mut balance);
         if balance.refused.is_some() {
             break;

@@ -18,11 +18,18 @@ pub(in super::super) enum ForceRead {
 }
 
 const NOT_DRAWN: &str = "no polygon of the drawing leads to this force";
+pub(super) const UNBALANCED: &str =
+    "what is sought does no work here, and without work of it these links are not in balance";
 const NO_CARRIER: &str = "balance does not say how these links share their pin: name its `carrier` in `pins`, or ask for the force of the pin";
 const NO_LINE: &str = "the force is zero and has no line";
 const NO_INERTIA: &str = "neither an inertia force nor a couple acts: there is no line";
 
 type Found<T> = Result<T, &'static str>;
+
+/// Why a balance has no force of a pair.
+fn not_found(balance: &Balance) -> &'static str {
+    if balance.unbalanced { UNBALANCED } else { NOT_DRAWN }
+}
 
 impl Draughtsman<'_> {
     /// An asked force.
@@ -133,7 +140,7 @@ impl Draughtsman<'_> {
                 let moment = self.moments(&items, about).unwrap_or(rest);
                 let mm = self.board.distance(sum.tail, sum.head);
                 let scale = self.force_scale();
-                if mm.value() == 0.0 {
+                if mm.value() == 0.0 || self.board.is_nothing(mm) {
                     return Err(NO_LINE);
                 }
                 let size = self.board.read(mm, scale);
@@ -145,8 +152,16 @@ impl Draughtsman<'_> {
     }
 
     fn effort_of(&mut self, sought: Sought, share: Share) -> Found<Amount> {
-        let balance = self.balance_of(share)?;
-        balance.efforts.iter().find(|(of, _)| *of == sought).map(|(_, size)| *size).ok_or(NOT_DRAWN)
+        let found = self.balances.iter().find(|(of, _)| *of == share).map(|(_, balance)| balance);
+        let balance = found.ok_or(NOT_DRAWN)?;
+        match balance.refused {
+            // What does no work says so itself.
+            None | Some(UNBALANCED) => {
+                let mut efforts = balance.efforts.iter();
+                efforts.find(|(of, _)| *of == sought).map(|(_, size)| *size).ok_or(NOT_DRAWN)
+            }
+            Some(why) => Err(why),
+        }
     }
 
     pub(super) fn sum_of(&mut self, items: &[Item]) -> Pull {
@@ -301,7 +316,7 @@ impl Draughtsman<'_> {
                 Ok(if by_rider { items.into_iter().map(|item| self.reversed(item)).collect() } else { items })
             }
             Through::Roll(roll) => {
-                let item = balance.rolls.get(&roll).ok_or(NOT_DRAWN)?.item();
+                let item = balance.rolls.get(&roll).ok_or(not_found(balance))?.item();
                 let [_, second] = self.mechanism.rolls[roll].bodies();
                 Ok(vec![if on == second { item } else { self.reversed(item) }])
             }
@@ -310,7 +325,7 @@ impl Draughtsman<'_> {
 
     /// The force of a guide on what rides, and what drags beside it.
     fn on_rider(&mut self, balance: &Balance, slide: usize) -> Found<Vec<Item>> {
-        let force = balance.slides.get(&slide).ok_or(NOT_DRAWN)?.item();
+        let force = balance.slides.get(&slide).ok_or(not_found(balance))?.item();
         let mut items = vec![force];
         if let (Some(drag), Some(point)) = (balance.leaning.drag(slide), self.mechanism.pin_of_slide(slide)) {
             items.push(Item { pull: Some(drag), at: self.at(point), couple: None });
@@ -328,7 +343,7 @@ impl Draughtsman<'_> {
         let mut others = Vec::new();
         let mut items = Vec::new();
         for other in parties.into_iter().filter(|other| *other != link) {
-            let pull = *balance.of_pins.get(&(pin.0, other.0)).ok_or(NOT_DRAWN)?;
+            let pull = *balance.of_pins.get(&(pin.0, other.0)).ok_or(not_found(balance))?;
             others.push(pull);
             if Self::rubs_at(balance, pin) {
                 let touch = self.touch_at(balance, pin, other);

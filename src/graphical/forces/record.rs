@@ -16,7 +16,7 @@ use super::super::construction::{
 };
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
-use super::{About, Taken, TakenFor, ThreeForces};
+use super::{About, Balance, Taken, TakenFor, ThreeForces};
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
 const REACH: f64 = 0.6;
@@ -32,7 +32,10 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return Some(sheet);
     }
     // With a drag a governor that rests is in balance while its sleeve is about to move.
-    let told = |share: &Share| d.balances.iter().any(|(of, found)| of == share && found.refused.is_none());
+    let told = |share: &Share| {
+        let balanced = |balance: &Balance| balance.refused.is_none() && !balance.unbalanced;
+        d.balances.iter().any(|(of, found)| of == share && balanced(found))
+    };
     let share = [Share::Total, Share::Rising, Share::Falling].into_iter().find(told)?;
     d.told = share;
     let sheet = of_share(d, plan, share);

@@ -12,7 +12,8 @@ use super::super::construction::{Trial, Trials};
 use super::super::draughtsman::Draughtsman;
 use super::super::missing::Missing;
 use super::friction::Leaning;
-use super::{Balance, NO_SPEED, one};
+use super::read::UNBALANCED;
+use super::{Balance, NO_SPEED, one, until};
 
 /// The unit of what is sought in which trials are made.
 pub(super) const TRIAL: f64 = 1.0;
@@ -56,6 +57,17 @@ pub(super) fn found(
         return refused(NO_SPEED);
     };
     let found: Vec<(Sought, Amount)> = named.iter().copied().zip(sizes).collect();
+    if let Some(sought) = idle(d, &found) {
+        let efforts = found.clone();
+        // What rubs hangs on all forces at once.
+        if !d.mechanism.forces.friction.is_empty() {
+            return Balance { efforts, ..refused(UNBALANCED) };
+        }
+        return Balance {
+            efforts,
+            ..until(d, plan, (share, leaning), found, &d.mechanism.loaded_by(sought))
+        };
+    }
     let mut balance = one(d, plan, (share, leaning), found.clone());
     let values = |efforts: &[Amount]| efforts.iter().map(|effort| effort.value()).collect::<Vec<f64>>();
     match (&found[..], &first[..], &trials[..]) {
@@ -74,6 +86,18 @@ pub(super) fn found(
     }
     balance.efforts = found;
     balance
+}
+
+/// What is sought elsewhere than on a driven link and does no work: no size of it brings the links between it and the
+/// input into balance. Where the drawing will be run for other places, what never does any.
+fn idle(d: &mut Draughtsman<'_>, found: &[(Sought, Amount)]) -> Option<Sought> {
+    let runs = d.board.tape().will_be_run();
+    let mut elsewhere = found.iter().filter(|(sought, _)| !d.mechanism.is_sought_at_input(*sought));
+    let is_idle = |(sought, size): &&(Sought, Amount)| match runs {
+        true => d.mechanism.is_always_idle(*sought),
+        false => d.board.is_weak(*size),
+    };
+    elsewhere.find(is_idle).map(|(sought, _)| *sought)
 }
 
 /// The effort at every input; none where one was not found.
