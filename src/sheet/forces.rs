@@ -44,6 +44,8 @@ const ON_EACH_OTHER: (f64, f64) = (1.0, 0.995);
 /// An arrow that stands so far from all other points has its name for itself, mm; looked for in so many steps of half of it.
 const APART: f64 = 10.0;
 const APART_STEPS: u32 = 12;
+/// The line of a force that passes all points of a body at more than this stands alone, mm.
+const ALONE: f64 = 25.0;
 /// A line that passes a point nearer than this passes through it, mm.
 const OFF_LINE: f64 = 0.1;
 /// How far the lines of what a polygon finds run past their meeting.
@@ -880,6 +882,18 @@ impl Frame {
     }
 }
 
+/// Whether the line of a force is known.
+fn tells_line(acting: &Acting) -> bool {
+    matches!(acting.known, Knowledge::Full | Knowledge::Line)
+}
+
+/// The point of a force's line nearest to another one; none of a force of no size.
+fn foot_on(acting: &Acting, on_line: Point, from: Point) -> Option<Point> {
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+    (size > 0.0).then(|| on_line + along * (from - on_line).dot(along))
+}
+
 /// Whether an arm is beyond all proportion to what is drawn: a force that cannot be told from zero, with a couple.
 pub(super) fn is_a_couple(arm: &Arm, construction: &Construction) -> bool {
     /// Of the room of a sheet.
@@ -1337,7 +1351,10 @@ impl Free<'_> {
         let by_arm = |acting: &Acting| {
             let takes = |moments: &&&MomentBalance| {
                 let mut terms = moments.terms.iter().chain([&moments.found]);
-                terms.any(|term| term.of == Turning::Force(acting.action) && term.arm.is_some())
+                terms.any(|term| {
+                    let drawn = |arm: Arm| arm.between.is_none() && !is_a_couple(&arm, construction);
+                    term.of == Turning::Force(acting.action) && term.arm.is_some_and(drawn)
+                })
             };
             match self.moments.iter().find(takes)?.about {
                 About::Point(point) => construction.space.places.get(point.0).copied().flatten().map(page),
@@ -1368,10 +1385,19 @@ impl Free<'_> {
         for acting in self.acting {
             let (on_line, near) = near(acting);
             let at = match frame.stand(acting, on_line, near) {
-                Stand::At(at) => at,
-                Stand::Border(border)
-                    if acting.known == Knowledge::Full || acting.known == Knowledge::Line =>
-                {
+                Stand::At(at) => {
+                    // What stands alone in the blank says how far off it is.
+                    let foot = near.and_then(|near| foot_on(acting, on_line, near));
+                    let alone = foot.zip(near).is_some_and(|(foot, near)| foot.distance(near) > ALONE);
+                    if let (true, Some(foot)) =
+                        (alone && tells_line(acting) && by_arm(acting).is_none(), foot)
+                    {
+                        let force = (acting, on_line, foot);
+                        far_off(&mut group, &mut requests, force, near, (construction, notation));
+                    }
+                    at
+                }
+                Stand::Border(border) if tells_line(acting) => {
                     if by_arm(acting).is_none() {
                         let force = (acting, on_line, border);
                         far_off(&mut group, &mut requests, force, near, (construction, notation));
