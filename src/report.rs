@@ -23,7 +23,7 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
             let mend = match idle(&scene.mechanism, why) {
                 Some(Sought::Spin) => "give a link that swings out a mass off the axis (`masses`)",
                 Some(_) => "turn the input a little, or seek what has an arm",
-                None => "ask for something else beside it",
+                None => "change what this names, or ask for something that has an answer here",
             };
             (Subject::Asked(0), error.to_string(), mend.to_owned())
         }

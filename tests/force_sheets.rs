@@ -344,3 +344,105 @@ fn a_shaking_force_of_one_force_and_a_couple_has_its_line_told() {
     let text = text_of(&sheet(rack, Kind::Solution));
     assert!(text.contains("Its line by moments about") && text.contains("102 mm"), "{text}");
 }
+
+/// The drawing of one figure of a scene.
+fn one(text: &str, name: &str) -> Figure {
+    let scene = linkgram::scene::read(text, "scene.json").unwrap_or_else(|error| panic!("{error}"));
+    let wish = Wish { figures: vec![name.to_owned()], ..Wish::default() };
+    drawing::figure(&scene, &wish).unwrap_or_else(|error| panic!("{}", error.told(&scene)))
+}
+
+/// All texts of a figure of one class, each with its place.
+fn texts(figure: &Figure, class: &str) -> Vec<(String, kurbo::Point)> {
+    let within = crate::legibility::within(&figure.root);
+    let nodes = within.iter().flat_map(|group| &group.children);
+    let of_class = nodes.filter_map(|node| match node {
+        Node::Text(text) if text.class == class => Some((text.content(), text.bounds()?.center())),
+        _ => None,
+    });
+    of_class.collect()
+}
+
+/// Forces that stand in one line, one beyond the other: each name is nearer to its own arrow than to any other.
+#[test]
+fn names_of_arrows_in_one_line_stand_beside_their_own() {
+    let scene = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 220 } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2", "angle": 90 } } ],
+        "near": { "B": [0, 240] }, "input": { "link": 2, "angle": 250, "omega": "12 rad/s" },
+        "gravity": {}, "masses": { "4": { "mass": 3 } },
+        "loads": [ { "name": "P", "on": 4, "at": "B", "force": [0, -80] },
+                   { "name": "Q", "on": 4, "at": "B", "force": [0, -40] } ], "find": ["T(2)", "F(1,4)"] }"#;
+    let figure = one(scene, "body(4)");
+    let mut arrows: Vec<(String, kurbo::Line)> = Vec::new();
+    for group in crate::legibility::within(&figure.root) {
+        if !(crate::legibility::has(group, "force") && crate::legibility::has(group, "applied")) {
+            continue;
+        }
+        let name = crate::legibility::data(group, "quantity").unwrap().to_owned();
+        let shaft = group.children.iter().find_map(|node| match node {
+            Node::Mark(mark) => match mark.shape {
+                linkgram::sheet::figure::Shape::Line(from, to) => Some(kurbo::Line::new(from, to)),
+                _ => None,
+            },
+            _ => None,
+        });
+        arrows.push((name, shaft.unwrap()));
+    }
+    assert!(arrows.len() >= 4, "{arrows:?}");
+    let distance = |line: &kurbo::Line, at: kurbo::Point| {
+        let along = line.p1 - line.p0;
+        let part = ((at - line.p0).dot(along) / along.hypot2()).clamp(0.0, 1.0);
+        (line.p0 + along * part).distance(at)
+    };
+    let mut held = 0;
+    for (text, at) in texts(&figure, "label force-name") {
+        let quantity = match text.trim() {
+            "P" => "load(P)",
+            "Q" => "load(Q)",
+            "W4" => "W(4)",
+            _ => continue,
+        };
+        let (own, others): (Vec<_>, Vec<_>) = arrows.iter().partition(|(name, _)| name == quantity);
+        let [(_, own)] = own[..] else { panic!("{quantity}: {arrows:?}") };
+        for (other, shaft) in others {
+            assert!(distance(own, at) < distance(shaft, at), "{text} stands beside {other}");
+            held += 1;
+        }
+    }
+    assert!(held >= 6, "{held} names");
+}
+
+/// On the body that carries a guide the pin that slides there is named, to which the arm is read; so is a contact.
+#[test]
+fn places_where_forces_act_are_named_on_both_bodies() {
+    let shaper = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [0, -120] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "4": { "joins": ["O4", "C"], "length": 260 } },
+        "slides": [ { "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "C" } } ],
+        "near": { "C": [60, 130] }, "input": { "link": 2, "angle": 30 },
+        "loads": [ { "name": "Q", "on": 4, "at": "C", "force": [300, 0] } ], "find": ["T(2)", "F(3,4)"] }"#;
+    let names = |figure: &Figure| -> Vec<String> {
+        texts(figure, "label point-name").into_iter().map(|(text, _)| text.trim().to_owned()).collect()
+    };
+    let shown = names(&one(shaper, "body(4)"));
+    assert!(shown.iter().any(|name| name == "A"), "{shown:?}");
+}
+
+/// On larger paper a polygon of forces is larger, as all diagrams are.
+#[test]
+fn a_force_polygon_grows_with_the_paper() {
+    let scene = file("examples/forces/s000-ch5-16.json");
+    let mut sizes = Vec::new();
+    for paper in ["A4", "A2"] {
+        let mut text: serde_json::Value = serde_json::from_str(&scene).unwrap();
+        text["sheet"]["paper"] = paper.into();
+        let figure = sheet(&text.to_string(), Kind::Solution);
+        let groups = crate::legibility::within(&figure.root);
+        let polygons = groups.iter().filter(|group| {
+            crate::legibility::has(group, "force") && crate::legibility::has(group, "polygon")
+        });
+        let size = |group: &&&Group| group.bounds().map(|own| own.width().max(own.height()));
+        sizes.push(polygons.filter_map(|group| size(&group)).fold(0.0, f64::max));
+    }
+    assert!(sizes[1] > 1.4 * sizes[0], "{sizes:?}");
+}

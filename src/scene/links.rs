@@ -237,7 +237,10 @@ fn pins(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             (Some(_), Some(diameter)) => {
                 return Err(Fault::new(diameter.at, "a pin has a radius or a diameter, not both"));
             }
-            (None, None) => return Err(Fault::new(value.at, "`radius` or `diameter` is missing")),
+            (None, None) => {
+                return Err(Fault::new(value.at, "`radius` or `diameter` is missing")
+                    .mend("say how thick the pin is: \"radius\": …"));
+            }
         };
         draft.mechanism.points[point.0].journal = Some(journal);
     }

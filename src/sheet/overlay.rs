@@ -93,6 +93,10 @@ pub struct HandedIn {
 const FARTHEST: f64 = 3.0;
 /// The largest force of a body, mm.
 const LARGEST_FORCE: f64 = 60.0;
+/// So far beside each other stand a student's forces there and back, mm.
+const BESIDE: f64 = 1.6;
+/// Where on its arrow a force is named: nearer to its head, so that those there and back are not named at one place.
+const NAMED: f64 = 0.64;
 /// Two marks of a student with one letter that stand no farther apart (mm) are one.
 const TWICE: f64 = 1.5;
 /// Radius of the mark of a student's centre, mm.
@@ -298,12 +302,24 @@ fn force_polygon(
     let long = |force: [f64; 2]| libm::hypot(force[0], force[1]);
     let largest = body.acting.iter().map(|acting| long(acting.force)).fold(0.0, f64::max);
     let scale = if largest > 0.0 { LARGEST_FORCE / largest } else { 1.0 };
-    let arrow = |panel: &mut Group, from: Point, to: Point, letter: &Rich, dash: Dash, class| {
+    let mut drawn: Vec<(Point, Point)> = Vec::new();
+    // Each beside all arrows, those that come after it too.
+    let mut names: Vec<(Rich, Point)> = Vec::new();
+    let mut arrow = |panel: &mut Group, from: Point, to: Point, letter: &Rich, dash: Dash, class| {
         let way = to - from;
         if way.hypot() > 0.0 {
+            // Of a student's forces there and back each has a stroke of its own.
+            let side = Vec2::new(-way.y, way.x).normalize() * BESIDE;
+            let stroke = |beside: u8| (from + side * f64::from(beside), to + side * f64::from(beside));
+            let free = |beside: &u8| !drawn.iter().any(|other| covers(*other, stroke(*beside)));
+            let beside = if dash == Dash::Dashed { (0..3).find(free).unwrap_or(0) } else { 0 };
+            let (from, to) = stroke(beside);
+            if dash == Dash::Dashed {
+                drawn.push((from, to));
+            }
             panel.mark(Mark::stroke(Shape::Line(from, to), Pen { width: THIN, dash }).class(class));
             panel.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
-            name(panel, letter, from.midpoint(to), 0.0, "label");
+            names.push((letter.clone(), from.lerp(to, NAMED)));
         }
     };
     let after = |from: Mm2, force: [f64; 2]| [0, 1].map(|axis| from[axis] + scale * force[axis]);
@@ -332,10 +348,21 @@ fn force_polygon(
         }
         (from, own_from) = (to, if short < 1.0 { to } else { end });
     }
+    for (letter, at) in names {
+        name(&mut panel, &letter, at, 0.0, "label");
+    }
     for (at, number) in circles {
         circle(&mut panel, at, number);
     }
     panel
+}
+
+/// Whether a stroke lies on another one.
+fn covers((a, b): (Point, Point), (from, to): (Point, Point)) -> bool {
+    let along = (b - a).normalize();
+    let beside = [from, to].iter().all(|end| (*end - a).cross(along).abs() < BESIDE / 2.0);
+    let [start, end] = [from, to].map(|end| (end - a).dot(along));
+    beside && start.max(end).min(a.distance(b)) - start.min(end).max(0.0) > BESIDE
 }
 
 /// Whose forces a polygon has.

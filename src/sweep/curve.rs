@@ -238,7 +238,8 @@ impl Course<'_> {
 
     /// Whether it leaps between two places however near they are: a load against the motion turns round with it.
     fn leaps(&self, mut low: (f64, Point), mut high: (f64, Point)) -> bool {
-        const HALVINGS: u32 = 24;
+        // No finer than the table, whose cubics lead over a leap between two of its places.
+        const HALVINGS: u32 = MOST_HALVINGS - 3;
         let whole = low.1.distance(high.1);
         if whole < LEAST_JUMP {
             return false;
