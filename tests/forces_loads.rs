@@ -950,3 +950,39 @@ fn a_force_that_is_zero_within_its_error_has_no_line() {
     let Answer::Indeterminate(why) = &solved.solution.construction.answers[0].answer else { panic!() };
     assert!(why.to_string().contains("has no line"), "{why}");
 }
+
+/// A load against the motion turns round with the rocker, and with it the force in the rod: 570 N or more all the way round,
+/// it is never drawn through zero where it leaps.
+#[test]
+fn a_force_that_leaps_is_not_drawn_in_between() {
+    use kurbo::{ParamCurve, Point, Vec2};
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [200, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 190 },
+                   "4": { "joins": ["O4", "B"], "length": 110 } },
+        "near": { "B": [170, 100] }, "input": { "link": 2, "angle": 60, "omega": "20 rad/s cw" },
+        "loads": [ { "name": "M", "on": 4, "torque": "60 N*m", "direction": "against" } ], "find": ["F(3,4)"] }"#,
+    );
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    let columns: Vec<usize> =
+        (0..sweep.columns.len()).filter(|index| sweep.columns[*index].name().starts_with("F(3,4)")).collect();
+    let [x, y] = columns[..] else { panic!("{columns:?}") };
+    let track = |_: f64, values: &[Option<linkgram::board::Dual>]| {
+        let (x, y) = (values[x]?, values[y]?);
+        Some((Point::new(x.value, y.value), Vec2::new(x.slope, y.slope)))
+    };
+    // The torque is F times the distance of the rod from O4, no more than the rocker's length.
+    let least = 60.0 / 0.11 - 1.0;
+    let mut drawn = 0;
+    for (stretch, table) in sweep.stretches.iter().map(|stretch| (stretch, sweep.table(stretch))) {
+        let path = table.strokes(&columns, [stretch.from, stretch.to], &track);
+        for segment in path.segments() {
+            for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                let at = segment.eval(part);
+                assert!(at.to_vec2().hypot() > least, "{at:?}");
+                drawn += 1;
+            }
+        }
+    }
+    assert!(drawn > 1000, "{drawn}");
+}

@@ -1289,3 +1289,23 @@ fn a_radius_of_curvature_is_never_negative() {
     let all = sweep.positions(&sweep.equal_steps(360));
     assert!(all.iter().flat_map(|p| &p.values).flatten().all(|radius| *radius >= 0.0));
 }
+
+/// A parallelogram from where all its links lie in line: the row of that end is there, with the places that are known, as it is
+/// in a whole turn.
+#[test]
+fn a_change_point_at_an_end_of_the_range_has_its_row() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [100, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 100 },
+                   "4": { "joins": ["O4", "B"], "length": 40 } },
+        "near": { "B": [140, 0.0007] }, "input": { "link": 2, "angle": 0.001, "omega": 5 },
+        "find": ["x(B)", "omega(4)"] }"#;
+    let scene = linkgram::scene::read(text, "parallelogram.json").unwrap();
+    let sweep = Sweep::new(&scene.mechanism, Some([0.0, std::f64::consts::FRAC_PI_2])).unwrap();
+    let mut rows = Vec::new();
+    sweep.each_position(&sweep.equal_steps(3), |at, values| rows.push((at, values.to_vec())));
+    assert_eq!(rows.len(), 4, "{rows:?}");
+    let (at, values) = &rows[0];
+    assert!(*at == 0.0 && values[2].is_none(), "{rows:?}");
+    let (Some(x), Some(y)) = (values[0], values[1]) else { panic!("{rows:?}") };
+    assert!((x - 0.14).abs() < 1e-9 && y.abs() < 1e-9, "{x} {y}");
+}

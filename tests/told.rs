@@ -540,3 +540,18 @@ fn an_inflection_circle_fills_the_paper() {
     });
     assert!(captions.iter().any(|text| text.contains("1 : 2.5")), "{captions:?}");
 }
+
+/// Two lengths of which one is said to be less than the other are told with as many digits as it takes to see that.
+#[test]
+fn lengths_that_differ_are_told_to_differ() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [4, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 3 }, "3": { "joins": ["A", "B"], "length": 3.9999999 },
+                   "4": { "joins": ["O4", "B"], "length": 1 } },
+        "near": { "B": [3, 0] }, "input": { "link": 2, "angle": 90 }, "find": ["x(B)"] }"#;
+    let scene = linkgram::scene::read(text, "apart.json").unwrap();
+    let error =
+        linkgram::solve::solve(&scene, linkgram::plan::Extent::Asked, linkgram::sheet::scale::for_scene);
+    let told = linkgram::report::diagnose(&scene, &error.unwrap_err()).to_string();
+    // A stands 5 mm from O4.
+    assert!(told.contains("= 4.9999999 mm is less than") && told.contains("= 5 mm"), "{told}");
+}

@@ -213,30 +213,44 @@ impl Misfit {
         let (p, r1) = &self.first;
         let (q, r2) = &self.second;
         let pin = &self.pin;
-        let n = |x: f64| significant(x / si);
+        // So many digits that what is told to differ does.
+        let digits = |a: f64, b: f64| {
+            let differ = |digits: &usize| significant(a / si, *digits) != significant(b / si, *digits);
+            (SIGNIFICANT..17).find(differ).unwrap_or(17)
+        };
+        let of_first = match r2 {
+            None => *r1,
+            Some(r2) if self.distance > r1 + r2 => r1 + r2,
+            Some(r2) => (r1 - r2).abs(),
+        };
+        let digits = digits(of_first, self.distance);
+        let n = |x: f64| significant(x / si, digits);
         match r2 {
             None => format!(
                 "{p}{pin} = {} {unit} is shorter than the distance {} {unit} of {p} from the guide of {pin}",
-                n(*r1),
+                n(of_first),
                 n(self.distance)
             ),
             Some(r2) if self.distance > r1 + r2 => format!(
                 "{p}{pin} + {q}{pin} = {} {unit} is less than {p}{q} = {} {unit}",
-                n(r1 + r2),
+                n(of_first),
                 n(self.distance)
             ),
-            Some(r2) => format!(
+            Some(_) => format!(
                 "|{p}{pin} - {q}{pin}| = {} {unit} is more than {p}{q} = {} {unit}",
-                n((r1 - r2).abs()),
+                n(of_first),
                 n(self.distance)
             ),
         }
     }
 }
 
-/// Seven significant digits, plainly.
-fn significant(x: f64) -> String {
-    let text = format!("{x:.6e}");
+/// Significant digits of lengths in messages, where these tell them apart.
+const SIGNIFICANT: usize = 7;
+
+/// So many significant digits, plainly.
+fn significant(x: f64, digits: usize) -> String {
+    let text = format!("{x:.*e}", digits - 1);
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 

@@ -798,6 +798,16 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         events.extend(below);
         stretches = down;
         stretches.extend(up);
+        // A change point at an end of the range is found within its rounding: the row of the end belongs to what ends there.
+        let seam = seam(sweep);
+        for stretch in &mut stretches {
+            if (stretch.from - from).abs() < seam {
+                stretch.from = from;
+            }
+            if (stretch.to - to).abs() < seam {
+                stretch.to = to;
+            }
+        }
     }
     looked += looked_back;
     if sweep.whole_turn {
