@@ -182,6 +182,8 @@ pub struct Plan {
     pub auxiliary: Vec<Auxiliary>,
     /// The balance of forces.
     pub forces: ForcePlan,
+    /// The contact points of rolling pairs whose accelerations are asked for: there the polygon has the normal parts too.
+    pub at_contacts: BTreeSet<PointId>,
 }
 
 /// Of what the balance of forces is drawn.
@@ -220,6 +222,13 @@ pub struct CentrePlan {
     pub feeds: bool,
     /// What is sought first, as if it were alone: the ways to centres that are asked for do not hang on what is shown besides.
     pub first: Option<Box<Self>>,
+}
+
+/// The contact points of which an acceleration is asked for.
+fn at_contacts(mechanism: &Mechanism) -> BTreeSet<PointId> {
+    let asked = mechanism.asked.iter().map(|asked| asked.quantity);
+    let about = asked.filter(|of| of.order() == Order::Acceleration).flat_map(|of| of.about().0);
+    about.flatten().filter(|point| mechanism.roll_at(*point).is_some()).collect()
 }
 
 /// The links of a centre, the lower first.
@@ -329,6 +338,7 @@ impl Plan {
             centres,
             auxiliary: wanted.auxiliary,
             forces: wanted.forces,
+            at_contacts: at_contacts(mechanism),
         }
     }
 

@@ -14,7 +14,7 @@
 
 use crate::board::{Amount, Direction, Line, Mm, Point};
 use crate::given::Given;
-use crate::mechanism::quantity::{Asked, Order, Quantity};
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
@@ -26,6 +26,7 @@ use super::dyad::Route;
 /// Draws the steps of the acceleration polygon.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.open_polygon(Order::Acceleration);
+    d.at_contacts.clone_from(&plan.at_contacts);
     let rest = d.rest();
     d.set_rate(Order::Acceleration, LinkId::FRAME, rest);
     d.step(Order::Acceleration, &[], Vec::new());
@@ -288,10 +289,7 @@ impl Draughtsman<'_> {
     /// how the wheel turns: its tangential part ends where the line square to the radius meets a parallel to that normal.
     fn acceleration_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         let contact = self.contact_of(roll);
-        let asks = |asked: &Asked| {
-            asked.quantity.order() == Order::Acceleration && asked.quantity.about().0.contains(&Some(contact))
-        };
-        if self.mechanism.asked.iter().any(asks) {
+        if self.at_contacts.contains(&contact) {
             return self.accelerations_at_contact(step, wheel, centre, roll);
         }
         let order = Order::Acceleration;

@@ -1,7 +1,7 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
 use std::collections::hash_map::Entry;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::given::Given;
@@ -134,6 +134,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) centres: Centres,
     /// Klein's constructions drawn so far.
     pub(super) kleins: Vec<Klein>,
+    /// See [`crate::plan::Plan::at_contacts`].
+    pub(super) at_contacts: BTreeSet<PointId>,
     pub(super) by_two_masses: Vec<ByTwoMasses>,
     pub(super) by_lever: Vec<ByLever>,
     /// What the methods of centres led to, by index of the asked quantity.
@@ -278,6 +280,7 @@ impl<'m> Draughtsman<'m> {
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
             kleins: Vec::new(),
+            at_contacts: BTreeSet::new(),
             by_two_masses: Vec::new(),
             by_lever: Vec::new(),
             transferred: Vec::new(),

@@ -321,8 +321,9 @@ impl Sweep {
                 // What is told is the same number whatever is shown besides.
                 let asked = mechanism.asked[..told].to_vec();
                 let alone = Mechanism { asked, ..mechanism.clone() };
-                plan.centres.first =
-                    Some(Box::new(Plan::with(&alone, &structure, Extent::Asked, source).centres));
+                let alone = Plan::with(&alone, &structure, Extent::Asked, source);
+                plan.centres.first = Some(Box::new(alone.centres));
+                plan.at_contacts = alone.at_contacts;
             }
             transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &wheels.starts)
         };

@@ -56,25 +56,9 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     });
     d.board.purpose("instant centres");
     d.primary_centres(plan);
-    if let Some(first) = &plan.first {
-        d.kennedy(first);
-    }
-    let mut stalled = d.kennedy(plan);
-    if plan.with_velocities && !stalled.is_empty() {
-        let rest = d.rests().then(|| d.assume_motion(velocity));
-        // The poles of the stalled centres' links; with them the diagram may go on.
-        for &[i, j] in &stalled {
-            for link in [i, j].into_iter().filter(|&l| l != LinkId::FRAME) {
-                d.centre_by_velocity(chord(LinkId::FRAME, link));
-            }
-        }
-        stalled = d.kennedy(plan);
-        stalled.retain(|&stuck| !d.centre_by_velocity(stuck));
-        stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
-        if let Some(rest) = rest {
-            d.rest_again(rest);
-        }
-    }
+    // What is sought first stalls as it does alone, though what is shown besides would lead to it.
+    let mut stalled = plan.first.iter().flat_map(|first| d.seek_centres(first, velocity)).collect::<Vec<_>>();
+    stalled.extend(d.seek_centres(plan, velocity));
     d.note_stalled(stalled);
     for (index, asked) in d.mechanism.asked.iter().enumerate().filter(|(_, asked)| asked.by_centres()) {
         d.open_transfer(index, asked.method);
@@ -94,6 +78,28 @@ struct Rest {
 }
 
 impl Draughtsman<'_> {
+    /// Finds the wanted centres of a plan, by the velocity polygon where the diagram does not lead to them; those that are left.
+    fn seek_centres(&mut self, plan: &CentrePlan, velocity: &[GroupStep]) -> Vec<Chord> {
+        let mut stalled = self.kennedy(plan);
+        if !plan.with_velocities || stalled.is_empty() {
+            return stalled;
+        }
+        let rest = self.rests().then(|| self.assume_motion(velocity));
+        // The poles of the stalled centres' links; with them the diagram may go on.
+        for &[i, j] in &stalled {
+            for link in [i, j].into_iter().filter(|&l| l != LinkId::FRAME) {
+                self.centre_by_velocity(chord(LinkId::FRAME, link));
+            }
+        }
+        stalled = self.kennedy(plan);
+        stalled.retain(|&stuck| !self.centre_by_velocity(stuck));
+        stalled = if stalled.is_empty() { stalled } else { self.kennedy(plan) };
+        if let Some(rest) = rest {
+            self.rest_again(rest);
+        }
+        stalled
+    }
+
     /// Whether the only input rests: then nothing moves, and yet its links have centres.
     fn rests(&self) -> bool {
         let [input] = self.mechanism.inputs.as_slice() else { return false };
