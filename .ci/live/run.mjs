@@ -87,7 +87,7 @@ const moving = [four, rocker, slider, ...['whitworth', 'scotch-yoke', 'punch-pre
 test('every number of the browser is the sweep\'s', async () => {
   const page = await browser.newPage();
   let compared = 0;
-  for (const scene of [four, rocker, slider, path.join(root, 'examples/s000-ch3a-1.json'), path.join(root, 'examples/eight-link.json')]) {
+  for (const scene of [four, rocker, slider, ...['rack-wheel', 'hypocycloid'].map(sceneOf), path.join(root, 'examples/s000-ch3a-1.json'), path.join(root, 'examples/eight-link.json')]) {
     const [tablePath, livePath] = ['t.json', 't.live.json'].map((name) => path.join(work, name));
     run('sweep', scene, '--steps', '1000', '-o', tablePath, '-o', livePath);
     const table = JSON.parse(readFileSync(tablePath, 'utf8')), live = JSON.parse(readFileSync(livePath, 'utf8'));
@@ -634,8 +634,132 @@ test('centres and constructions move', async () => {
     await rest(80);
     const after = await drawn();
     assert.ok(before.filter((one, i) => one !== after[i]).length > before.length / 2);
+    // On a phone the captions with their scales stay within their panels.
+    await page.setViewport({ width: 360, height: 740 });
+    const wide = await page.evaluate(() => [...document.querySelectorAll('#stage .panel:not([hidden])')].map((panel) => {
+      const own = panel.getBoundingClientRect(), scale = panel.querySelector('figcaption bdi').getBoundingClientRect();
+      return scale.right <= own.right && scale.left >= own.left;
+    }));
+    assert.ok(wide.every(Boolean), `${name}: ${wide}`);
     await page.close();
   }
+});
+
+test('what lies beyond its panel is named where it leaves it', async () => {
+  // The four-bar of the example at 140°, by circles and straight lines: (13) is where O2A and O4B meet.
+  const angle = 140 * Math.PI / 180, [ax, ay] = [40 * Math.cos(angle), 40 * Math.sin(angle)], d = Math.hypot(110 - ax, ay);
+  const base = Math.atan2(-ay, 110 - ax), off = Math.acos((120 ** 2 + d ** 2 - 80 ** 2) / (2 * 120 * d));
+  const [bx, by] = [ax + 120 * Math.cos(base + off), ay + 120 * Math.sin(base + off)];
+  const part = (110 * by) / (by * ax - ay * (bx - 110)), centre = [part * ax, part * ay];
+  const page = await open(pageOf(path.join(root, 'examples/centres/four-bar.json')), { hash: '#at=140' });
+  const seen = await page.evaluate(() => {
+    const live = JSON.parse(document.getElementById('linkgram-live').textContent), [, panel] = live.panels;
+    const label = live.labels.find((own) => own.panel === 1 && own.of?.includes('(13)')), element = document.getElementById(label.id);
+    const lines = live.ink.filter((own) => own.panel === 1 && own.move === 'through').map((own) => document.getElementById(own.id).querySelector('path').getAttribute('d'));
+    return { box: panel.box, scale: panel.si_per_mm, lines, text: element.textContent, hidden: element.getAttribute('visibility'), at: element.getAttribute('transform') };
+  });
+  assert.notEqual(seen.hidden, 'hidden');
+  const far = Number(/\(13\)\s*([\d.]+)/.exec(seen.text)?.[1]), [x, y] = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(seen.at).slice(1).map(Number);
+  assert.ok(x > seen.box[0] && x < seen.box[2] && y > seen.box[1] && y < seen.box[3], 'its name stands on the panel');
+  // It is told from one of the places where a line leaves the panel.
+  const borders = seen.lines.flatMap((line) => [...line.matchAll(/([-\d.]+) ([-\d.]+)/g)].map(([, u, v]) => [Number(u), Number(v)]))
+    .filter(([u, v]) => Math.min(Math.abs(u - seen.box[0]), Math.abs(u - seen.box[2]), Math.abs(v - seen.box[1]), Math.abs(v - seen.box[3])) < 1e-5);
+  const ways = borders.map(([u, v]) => Math.hypot(u * seen.scale * 1000 - centre[0], -v * seen.scale * 1000 - centre[1]));
+  assert.ok(ways.some((way) => Math.abs(way - far) <= 0.006 * way), `${far} mm is none of ${ways}`);
+  // Within its panel it is only named.
+  await page.evaluate(() => { location.hash = '#at=60'; });
+  await rest(200);
+  const within = await page.evaluate(() => {
+    const live = JSON.parse(document.getElementById('linkgram-live').textContent);
+    const element = document.getElementById(live.labels.find((own) => own.panel === 1 && own.of?.includes('(13)')).id);
+    return [element.getAttribute('visibility'), [...element.children].map((one) => one.getAttribute('visibility'))];
+  });
+  assert.deepEqual(within, [null, [null, 'hidden']]);
+  await page.close();
+  // An arrow that leaves its panel is cut there, and the caption says so.
+  const other = await open(pageOf(path.join(root, 'examples/centres/four-bar.json')), { hash: '#at=200' });
+  const said = await other.evaluate(() => document.getElementById('beyond4').textContent);
+  assert.match(said, /VA is 40\smm long/);
+  await other.close();
+  return `${far} mm`;
+});
+
+test('a pin that leaves its slot is said to', async () => {
+  // With four slots the pin of a Geneva drive is in one from 315° to 45°.
+  const page = await open(pageOf(sceneOf('geneva'), '--lang', 'en,fa'));
+  for (const [at, isOut] of [[0, false], [44, false], [46, true], [180, true], [314, true], [316, false]]) {
+    await page.evaluate((place) => { location.hash = `#at=${place}`; }, at);
+    await rest(120);
+    const said = await page.evaluate(() => document.getElementById('beyond0').textContent);
+    assert.equal(/A is out of the slot of link 3/.test(said), isOut, `at ${at}: ${said}`);
+  }
+  // The wheel's number stays on the wheel, whose pivot is 100 mm from the crank's.
+  await page.evaluate(() => { location.hash = '#at=180'; });
+  await rest(120);
+  const off = await page.evaluate(() => {
+    const live = JSON.parse(document.getElementById('linkgram-live').textContent), [panel] = live.panels;
+    const label = live.labels.find((own) => own.panel === 0 && own.of?.includes('3'));
+    const [x, y] = /\(([-\d.]+) ([-\d.]+)\)/.exec(document.getElementById(label.id).getAttribute('transform')).slice(1).map(Number);
+    return Math.hypot(x * panel.si_per_mm * 1000 - 100, y * panel.si_per_mm * 1000);
+  });
+  assert.ok(off < 100 / Math.SQRT2 + 15, `${off} mm from the middle of the wheel`);
+  await page.close();
+  return `${off.toFixed(0)} mm`;
+});
+
+test('a phone shows a question in letters that can be read, in the typefaces of its languages', async () => {
+  for (const scene of [path.join(root, 'examples/s000-ch3a-1.json'), sceneOf('geneva')]) {
+    const file = pageOf(scene, '--as', 'question', '--lang', 'en,ar');
+    const page = await open(file, { width: 360, height: 740 });
+    const seen = () => page.evaluate(() => [...document.querySelectorAll('#sheet .sheet')].filter((one) => one.offsetParent !== null).map((one) => {
+      const svg = one.querySelector('svg'), scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+      const sizes = [...svg.querySelectorAll('text')].map((text) => parseFloat(getComputedStyle(text).fontSize) * scale);
+      const arabic = [...svg.querySelectorAll('text')].filter((text) => /[\u0621-\u064a]/.test(text.textContent));
+      return [Math.min(...sizes), arabic.length, arabic.every((text) => /^.?Amiri/.test(getComputedStyle(text).fontFamily)), document.documentElement.scrollWidth];
+    }));
+    const [[least], ...others] = await seen();
+    assert.equal(others.length, 0, 'one sheet is shown');
+    assert.ok(least >= 7.5, `letters of ${least} px`);
+    await page.select('#language', 'ar');
+    const [[, count, isSet, wide]] = await seen();
+    assert.ok(count > 5 && isSet, `${count} texts in Arabic, set in Amiri: ${isSet}`);
+    assert.ok(wide <= 360, String(wide));
+    // `FontFace`s load when they are used.
+    assert.ok(await page.evaluate(async () => (await document.fonts.ready, [...document.fonts].some((face) => /Amiri/.test(face.family) && face.status === 'loaded'))));
+    await page.close();
+    const desktop = await open(file, { width: 1000 });
+    assert.equal(await desktop.evaluate(() => [...document.querySelectorAll('#sheet .sheet')].filter((one) => one.offsetParent !== null).length), 1);
+    await desktop.close();
+  }
+});
+
+test('over time an angle opens with its link', async () => {
+  const page = await open(pageOf(slider, '--against', 'time', '--from', '0', '--to', '0.1'));
+  for (const part of [0.2, 0.5, 0.8]) {
+    const [hidden, told, seen] = await page.evaluate((wish) => {
+      const slide = document.getElementById('at');
+      slide.value = String(Number(slide.min) + wish * (Number(slide.max) - Number(slide.min)));
+      slide.dispatchEvent(new Event('input'));
+      return new Promise((done) => {
+        requestAnimationFrame(() => requestAnimationFrame(() => {
+          const live = JSON.parse(document.getElementById('linkgram-live').textContent);
+          const ink = document.getElementById(live.ink.find((own) => own.move === 'turn').id);
+          const [, sx, sy, radius, , , , , ex, ey] = /M([-\d.]+) ([-\d.]+) A([\d.]+) ([\d.]+) (0) ([01]) ([01]) ([-\d.]+) ([-\d.]+)/.exec(ink.querySelector('path').getAttribute('d')).map(Number);
+          // The bar of the link stands where its arc ends, but for the arrow's head.
+          const bar = document.querySelector('#panel0 [data-link="2"] .bar'), matrix = bar.ownerSVGElement.getScreenCTM().inverse().multiply(bar.getScreenCTM());
+          const [a, b] = [0, bar.getTotalLength()].map((at) => bar.getPointAtLength(at).matrixTransform(matrix));
+          const centre = { x: sx - radius, y: sy };
+          const far = Math.hypot(a.x - centre.x, a.y - centre.y) > Math.hypot(b.x - centre.x, b.y - centre.y) ? a : b;
+          const angle = (p) => Math.atan2(centre.y - p.y, p.x - centre.x);
+          done([ink.getAttribute('visibility'), angle({ x: ex, y: ey }), angle(far)]);
+        }));
+      });
+    }, part);
+    assert.equal(hidden, null);
+    const off = Math.abs(Math.atan2(Math.sin(told - seen), Math.cos(told - seen)));
+    assert.ok(off < 0.45, `the arc ends at ${told}, the link stands at ${seen}`);
+  }
+  await page.close();
 });
 
 test('axe finds nothing', async () => {
@@ -803,7 +927,7 @@ test('a scene states how its page opens', async () => {
 });
 
 test('a page that does not move has its steps', async () => {
-  const page = await open(pageOf(sceneOf('gear-pair')));
+  const page = await open(pageOf(sceneOf('rolling-wheel')));
   const seen = () => page.evaluate(() => [...document.querySelectorAll('#sheet [data-step]')].filter((ink) => !ink.hasAttribute('hidden')).length);
   const all = await seen();
   assert.ok(all > 5, String(all));

@@ -6,16 +6,18 @@ use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
 use super::LiveError;
-use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind, marks};
+use super::moves::{Binder, Frame, Move, Moving, PAST, Place, Seen, bind, marks};
 use super::said::{Paper, Printed, TAKEN};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
-use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider};
+use crate::mechanism::{Input, LinkId, Mechanism, Place as MechanismPlace, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
-use crate::sheet::moving::{self, Draughts, Drawing, Layer, Lengths, Name, Said, Spot, Way, arrow};
+use crate::sheet::moving::{
+    self, Draughts, Drawing, Layer, LayerScale, Lengths, Name, Opening, Said, Spot, Way, arrow,
+};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
 use crate::sweep::{Column, InputKind, Sweep};
@@ -32,6 +34,8 @@ const POLYGON: (f64, f64) = (110.0, 100.0);
 const BORDER: f64 = 13.0;
 /// Of equally spaced positions so many of a hundred count for the scale of a polygon.
 const COUNTED: usize = 95;
+/// Room about the tip of an arrow, mm.
+const ROOM: f64 = 5.0;
 /// A panel grows to this for what a layer adds to its skeleton, mm.
 const LARGEST: (f64, f64) = (160.0, 150.0);
 /// A polygon that could be so many times larger is too small to be read.
@@ -62,6 +66,8 @@ pub(super) struct Panel {
     /// The part of its plane that is shown, mm.
     pub(super) shown: Rect,
     pub(super) si_per_mm: f64,
+    /// The scales of what is drawn over a skeleton, where they are the same in every position.
+    pub(super) over: Vec<LayerScale>,
     /// The scene's unit of what its lengths stand for.
     unit: Unit,
     origin: [f64; 2],
@@ -70,6 +76,17 @@ pub(super) struct Panel {
     own_places: usize,
     moving: Vec<Moving>,
     names: Vec<Placed>,
+    /// Pins that leave their slots.
+    openings: Vec<Leaving>,
+}
+
+/// A pin that leaves its slot: by place the pin and the pivot of the slot, how far apart they are as long as it is there, mm, and
+/// the names of the pin and of the link.
+#[derive(Debug)]
+struct Leaving {
+    ends: [usize; 2],
+    reach: f64,
+    names: [String; 2],
 }
 
 /// A name along the course.
@@ -86,6 +103,8 @@ struct Placed {
     of: Vec<String>,
     /// It names a point, not a link or a stroke.
     is_of_point: bool,
+    /// It names an arrow on a skeleton.
+    is_of_arrow: bool,
 }
 
 /// The diagrams of a page.
@@ -132,11 +151,6 @@ impl Diagrams {
         sweep: &Sweep,
         language: Language,
     ) -> Result<Self, LiveError> {
-        if sweep.is_carried_along() {
-            return Err(LiveError::Number(
-                "points of wheels are carried along by how far these have rolled, which a page does not move yet",
-            ));
-        }
         let draughts = Draughts::new(scene, construction, language);
         let construction = draughts.construction();
         let frames: Vec<f64> =
@@ -179,10 +193,10 @@ impl Diagrams {
         Ok(Self { panels, drawn, refit })
     }
 
-    /// Whether anything moves as only what is drawn over a skeleton does.
+    /// Whether anything moves as only what is drawn over a skeleton does, or a pin leaves its slot.
     pub(super) fn has_layers(&self) -> bool {
         let is_layer = |moving: &Moving| matches!(moving.by, Move::Through(..) | Move::Round(..));
-        self.panels.iter().any(|panel| panel.moving.iter().any(is_layer))
+        self.panels.iter().any(|panel| !panel.openings.is_empty() || panel.moving.iter().any(is_layer))
     }
 
     /// The panels, by index, that are not among those which are to be open; none where none of these is there.
@@ -263,12 +277,14 @@ fn circle(ink: &Group, title: &str) -> Panel {
         ink: ink.clone(),
         shown: ink.bounds().unwrap_or(Rect::ZERO).inflate(4.0, 4.0),
         si_per_mm: 1.0,
+        over: Vec::new(),
         unit: Unit { symbol: String::new(), si: 1.0 },
         origin: [0.0; 2],
         places: Vec::new(),
         own_places: 0,
         moving: Vec::new(),
         names: Vec::new(),
+        openings: Vec::new(),
     }
 }
 
@@ -446,6 +462,7 @@ struct Drawn {
     circle: Option<(Group, String)>,
     /// Of the scene's own position.
     names: Names,
+    language: Language,
     /// See [`shortest`].
     shortest: Vec<f64>,
 }
@@ -508,6 +525,7 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         layers: Vec::new(),
         circle: None,
         names: Names::default(),
+        language,
         shortest: Vec::new(),
     };
     let home = sweep.stretch_at(sweep.start).cloned();
@@ -521,6 +539,7 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
             break;
         }
         let (Some(mechanism), Some(numbers)) = (sweep.mechanism_at(at), numbers(sweep, at)) else { continue };
+        let mechanism = if at == sweep.start { mechanism } else { as_stated(mechanism, &scene.mechanism) };
         let mut moved = scene.clone();
         // By the methods that were asked for, which a sweep does not know.
         moved.mechanism = Mechanism { asked: scene.mechanism.asked.clone(), ..mechanism };
@@ -546,6 +565,24 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         all.scenes.push(moved);
     }
     Ok(all)
+}
+
+/// The mechanism of another position as the scene states it: what is found there is found, though it was placed for whoever cannot
+/// tell how far a wheel has rolled; and no wheel has a mark that says so.
+fn as_stated(mut mechanism: Mechanism, stated: &Mechanism) -> Mechanism {
+    mechanism.points.truncate(stated.points.len());
+    for (point, own) in mechanism.points.iter_mut().zip(&stated.points) {
+        if let (MechanismPlace::Placed(at), MechanismPlace::Near(_) | MechanismPlace::Unknown) =
+            (&point.place, &own.place)
+        {
+            point.place = MechanismPlace::Near(at.map(|along| along.value));
+        }
+    }
+    for (link, own) in mechanism.links.iter_mut().zip(&stated.links) {
+        link.points.clone_from(&own.points);
+        link.form.clone_from(&own.form);
+    }
+    mechanism
 }
 
 fn names(scene: &Scene, construction: &Construction, draughts: &Draughts<'_>) -> Names {
@@ -596,6 +633,15 @@ fn of_kind<T>(all: &[(DiagramKind, T)], kind: DiagramKind) -> Option<&T> {
 }
 
 impl Panel {
+    /// The quantities, by their names, that arrows over a skeleton show.
+    pub(super) fn arrows(&self) -> impl Iterator<Item = &str> {
+        let arrows = self.moving.iter().filter(|moving| matches!(moving.by, Move::Arrow(..)));
+        arrows
+            .flat_map(|moving| &moving.ink.data)
+            .filter(|(name, _)| *name == "of")
+            .map(|(_, of)| of.as_str())
+    }
+
     fn seen(&self, numbers: &Numbers) -> Seen {
         self.seen_at(numbers, self.si_per_mm)
     }
@@ -636,6 +682,17 @@ impl Panel {
         Seen { places, numbers: numbers.clone() }
     }
 
+    /// The end of a stroke at a pin that leaves its slot, where that ends instead.
+    fn held(&self, (frame, own): (Frame, Vec2)) -> (Frame, Vec2) {
+        let of = |leaving: &&Leaving| frame == Frame::At(leaving.ends[0]) && own.hypot() < 1e-6;
+        match self.openings.iter().find(of) {
+            Some(&Leaving { ends: [pin, pivot], reach, .. }) => {
+                (Frame::Rigid(pivot, pin), Vec2::new(reach, 0.0))
+            }
+            None => (frame, own),
+        }
+    }
+
     /// Whether names that find no room beside what they name are tied to it by a line.
     fn has_ties(&self) -> bool {
         self.kind != DiagramKind::Skeleton || matches!(self.shows, Shows::Layer(_))
@@ -643,7 +700,7 @@ impl Panel {
 
     fn json(&self) -> Value {
         let shown = [self.shown.x0, self.shown.y0, self.shown.x1, self.shown.y1];
-        json!({
+        let mut told = json!({
             "class": self.ink.class,
             "own": self.own_places,
             "layer": matches!(self.shows, Shows::Layer(_)),
@@ -656,7 +713,14 @@ impl Panel {
             "unit": self.unit.si,
             "unit_symbol": moving::unit(&self.unit.symbol),
             "places": self.places.iter().map(|place| &place.terms).collect::<Vec<_>>(),
-        })
+        });
+        if !self.openings.is_empty() {
+            let of = |Leaving { ends: [pin, pivot], reach, names: [point, link] }: &Leaving| {
+                json!([pin, pivot, reach, point, link])
+            };
+            told["openings"] = self.openings.iter().map(of).collect();
+        }
+        told
     }
 }
 
@@ -690,6 +754,9 @@ impl Placed {
         }
         if self.is_of_point {
             label["point"] = json!(true);
+        }
+        if self.is_of_arrow {
+            label["arrow"] = json!(true);
         }
         if let Some(output) = self.output {
             label["output"] = json!(output);
@@ -746,12 +813,14 @@ fn panel(
         ink: Group::new(first.ink.class.clone()),
         shown: Rect::ZERO,
         si_per_mm,
+        over: Vec::new(),
         unit: of_kind(&drawn.names.units, kind)?.clone(),
         origin: sketch.origin,
         own_places: if kind == DiagramKind::Skeleton { sketch.points.len() } else { sketch.places.len() },
         places: sketch.places,
         moving: Vec::new(),
         names: Vec::new(),
+        openings: Vec::new(),
     };
     let binder = binder(&panel, sweep, &drawn.numbers);
     let mut spots: Vec<Spotted> = Vec::new();
@@ -759,12 +828,18 @@ fn panel(
         let points = &sketch.points;
         let numbers = (&scene.mechanism, sweep, course, start);
         skeleton(&mut panel, index, (&own, points), &binder, numbers, &drawn.names);
+        panel.openings = leaving(&first.openings, points, &scene.mechanism);
         spots.extend(names_of_skeleton(&own, &binder, &panel));
         if let Some(layer) = sketch.layer {
             // Of an instant of the input only how the links stand and what is drawn over them.
             let same: Vec<&Layer> = drawn.layers.iter().filter_map(|all| all.get(layer)).collect();
             panel.title = same.first().map_or_else(String::new, |layer| layer.title.clone());
             spots.retain(|spot| matches!(spot.name.class(), "label point-name" | "label link-number"));
+            panel.over = scales_of(&same);
+            if let (Some(construction), Some(scene)) = (drawn.constructions.first(), drawn.scenes.first()) {
+                let draughts = Draughts::new(scene, construction, drawn.language);
+                panel.scale_text = draughts.scales(si_per_mm, &panel.over);
+            }
             spots.extend(lay_over(&mut panel, index, &same, &binder));
         }
     } else {
@@ -775,6 +850,17 @@ fn panel(
     }
     panel.shown = shown(&panel, course, start);
     Some((panel, spots))
+}
+
+fn leaving(openings: &[Opening], points: &[PointId], mechanism: &Mechanism) -> Vec<Leaving> {
+    let place = |point: PointId| points.iter().position(|own| *own == point);
+    let of = |opening: &Opening| {
+        let ends = [place(opening.pin)?, place(opening.pivot)?];
+        let link = mechanism.link(opening.link).number.to_string();
+        let names = [mechanism.point(opening.pin).name.clone(), link];
+        Some(Leaving { ends, reach: opening.reach, names })
+    };
+    openings.iter().filter_map(of).collect()
 }
 
 /// What of the plane is shown: everything over the course, of a polygon as far as its scale counts.
@@ -805,14 +891,40 @@ fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
         }
     }
     let mut shown = all.union(ink).inflate(BORDER, BORDER);
-    // As many of what a layer adds as find room, at the scene's own position.
-    for at in home.places.iter().skip(count).flatten() {
-        let grown = shown.union(Rect::from_center_size(*at, (2.0 * BORDER, 2.0 * BORDER)));
+    let mut grow = |at: Point, around: f64| {
+        let grown = shown.union(Rect::from_center_size(at, (2.0 * around, 2.0 * around)));
         if grown.width() <= LARGEST.0.max(shown.width()) && grown.height() <= LARGEST.1.max(shown.height()) {
             shown = grown;
         }
+    };
+    // As many of what a layer adds as find room, at the scene's own position; and of its arrows over the course.
+    home.places.iter().skip(count).flatten().for_each(|at| grow(*at, BORDER));
+    let arrows: Vec<&[(Frame, Vec2); 2]> = panel
+        .moving
+        .iter()
+        .filter_map(|moving| match &moving.by {
+            Move::Arrow(ends) => Some(ends),
+            _ => None,
+        })
+        .collect();
+    for seen in course.iter().filter(|_| !arrows.is_empty()).map(|numbers| panel.seen(numbers)) {
+        let tips = arrows.iter().filter_map(|[_, (frame, own)]| frame.global(*own, &seen));
+        tips.for_each(|tip| grow(tip, ROOM));
     }
     shown
+}
+
+/// The scales of a layer that are the same in every position.
+fn scales_of(same: &[&Layer]) -> Vec<LayerScale> {
+    let Some((first, others)) = same.split_first() else { return Vec::new() };
+    let is_same = |(own, other): (&LayerScale, &LayerScale)| {
+        own.dimension == other.dimension
+            && (own.si_per_mm - other.si_per_mm).abs() <= 1e-9 * own.si_per_mm.abs()
+    };
+    let alike = |other: &&Layer| {
+        other.scales.len() == first.scales.len() && first.scales.iter().zip(&other.scales).all(is_same)
+    };
+    if others.iter().all(alike) { first.scales.clone() } else { Vec::new() }
 }
 
 /// Draws a layer over its skeleton; its names with what they hang on.
@@ -841,8 +953,9 @@ fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -
             by = match (stroke.way, all) {
                 // A centre that is always at infinity is no point of its line.
                 (Way::Through, _) if ends.iter().flatten().count() >= 2 => {
-                    Move::Through(ends.into_iter().flatten().collect())
+                    Move::Through(ends.into_iter().flatten().collect(), PAST)
                 }
+                (Way::Within, Some(ends)) => Move::Through(ends, 0.0),
                 (Way::Arrow, Some(ends)) if ends.len() == 2 => Move::Arrow([ends[0], ends[1]]),
                 (Way::Line, Some(ends)) => Move::Strokes(vec![(false, ends)]),
                 (Way::Circle(_), Some(centre)) => {
@@ -871,8 +984,15 @@ fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -
             Way::Circle(radius) => {
                 own.mark(Mark::stroke(Shape::Circle { centre: *from, radius }, stroke.pen).precise());
             }
-            Way::Arrow => arrow(&mut own, *from, *to, stroke.pen.width),
-            Way::Line | Way::Through => {
+            Way::Arrow => {
+                arrow(&mut own, *from, *to, stroke.pen.width);
+                for node in &mut own.children {
+                    if let Node::Mark(Mark { class: "shaft", pen: Some(pen), .. }) = node {
+                        pen.dash = stroke.pen.dash;
+                    }
+                }
+            }
+            Way::Line | Way::Through | Way::Within => {
                 own.mark(Mark::stroke(Shape::Line(*from, *to), stroke.pen).precise());
             }
         }
@@ -900,6 +1020,13 @@ fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -
         }
         if let (Some(name), Some(bound)) = (&point.name, bound) {
             names.push(Spotted::new(name.clone(), vec![bound]));
+        }
+    }
+    let has_all = same.iter().all(|layer| layer.names.len() == first.names.len());
+    for (number, between) in first.names.iter().enumerate().filter(|_| has_all) {
+        let end = |k: usize| binder.bound(&everywhere(&|layer: &Layer| layer.names.get(number)?.at[k])?);
+        if let (Some(from), Some(to)) = (end(0), end(1)) {
+            names.push(Spotted::new(between.name.clone(), vec![from, to]));
         }
     }
     panel.ink.group(ink);
@@ -980,16 +1107,16 @@ fn skeleton(
             if class == "angles" {
                 let stated = inputs_with_an_angle(mechanism).nth(i);
                 for (arc, by) in turns(item, binder) {
-                    let by = match by {
-                        // Only one input is varied: another link that is driven stays turned as far as it is.
-                        Move::Turn(place, _) if stated.map(InputKind::Angle) != Some(sweep.input) => {
-                            if sweep.input == InputKind::Time {
-                                Move::Still
-                            } else {
-                                Move::Whole(Frame::At(place))
-                            }
+                    let by = match (by, stated) {
+                        (Move::Turn(place, radius, _), Some(link)) if sweep.input == InputKind::Time => {
+                            let angle = scalar(sweep, Quantity::Angle(link));
+                            angle.map_or(Move::Still, |angle| Move::Turn(place, radius, Some(angle)))
                         }
-                        by => by,
+                        // Only one input is varied: another link that is driven stays turned as far as it is.
+                        (Move::Turn(place, ..), _) if stated.map(InputKind::Angle) != Some(sweep.input) => {
+                            Move::Whole(Frame::At(place))
+                        }
+                        (by, _) => by,
                     };
                     add(&arc, by, None);
                 }
@@ -1198,7 +1325,7 @@ fn turns(item: &Group, binder: &Binder) -> Vec<(Group, Move)> {
                 group.mark(mark.clone());
             }
         });
-        all.push((group, Move::Turn(place, radius)));
+        all.push((group, Move::Turn(place, radius, None)));
     }
     all
 }
@@ -1365,11 +1492,27 @@ fn polygon_ink(
     }
 }
 
+/// The curved arrow whose middle is here: not every one that is drawn moves.
+fn arrow_at<'m>(arrows: &[&'m Moving], at: Point) -> Option<&'m Moving> {
+    /// The head of an arrow takes so much of its arc, mm.
+    const HEAD: f64 = 2.5;
+    let is_here = |moving: &&&Moving| {
+        marks(&moving.ink).iter().any(|mark| match mark.shape {
+            Shape::Arc { centre, radius, start, sweep } => {
+                let middle = crate::sheet::figure::on_circle(centre, radius, start + sweep / 2.0);
+                (at.distance(centre) - radius).abs() < 1e-6 && at.distance(middle) < HEAD
+            }
+            _ => false,
+        })
+    };
+    arrows.iter().find(is_here).copied()
+}
+
 /// The names of a skeleton, each with what it hangs on.
 fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Spotted> {
     let arrows: Vec<&Moving> =
         panel.moving.iter().filter(|m| m.sense.is_some() && m.ink.class.starts_with("rotation")).collect();
-    let mut arrows = arrows.chunks(2).map(|pair| pair[0]);
+    let arrows: Vec<&Moving> = arrows.chunks(2).map(|pair| pair[0]).collect();
     let mut all = Vec::new();
     for (n, name) in own[0].names.iter().enumerate() {
         let at = |point: Point, frame: Frame| Some((frame, binder.local(frame, point)?));
@@ -1385,7 +1528,7 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Sp
         let is_of_the_frame = name.class() == "label link-number" && name.of().is_empty();
         let mut output = None;
         let bound: Option<Anchors> = if name.class() == "label rotation-name" {
-            let arrow = arrows.next();
+            let arrow = arrow_at(&arrows, name.spot().anchor());
             output = arrow.and_then(|arrow| arrow.sense).map(|(output, _)| output);
             match arrow.map(|arrow| &arrow.by) {
                 Some(Move::Whole(frame)) => first.iter().map(|point| at(*point, *frame)).collect(),
@@ -1394,14 +1537,22 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Sp
         } else if is_of_the_frame {
             first.iter().map(|point| at(*point, Frame::Fixed)).collect()
         } else {
+            // In a crowd an arrow with its name may be given up: names are told by what they say.
+            let nth = own[0].names[..n].iter().filter(|before| before.is_like(name)).count();
+            let like = |d: &&Drawing| d.names.iter().filter(|other| other.is_like(name)).nth(nth).cloned();
             let several: Vec<Vec<Point>> =
-                own.iter().filter_map(|d| d.names.get(n)).map(|other| ends(other.spot())).collect();
+                own.iter().filter_map(like).map(|other| ends(other.spot())).collect();
             let same = several.len() == own.len() && several.iter().all(|points| points.len() == first.len());
             let bind = |i: usize| {
                 let points: Vec<Point> = several.iter().map(|points| points[i]).collect();
                 binder.frame(&[points]).and_then(|frame| at(first[i], frame))
             };
-            if same { (0..first.len()).map(bind).collect() } else { None }
+            let bound: Option<Anchors> = if same { (0..first.len()).map(bind).collect() } else { None };
+            // Beside a slot that its pin may leave the number stays with the link.
+            match bound {
+                Some(bound) if bound.len() > 1 => Some(bound.into_iter().map(|at| panel.held(at)).collect()),
+                bound => bound,
+            }
         };
         if let Some(bound) = bound {
             all.push(Spotted { output, ..Spotted::new(name.clone(), bound) });
@@ -1465,6 +1616,10 @@ fn part_within(shown: Rect, from: Point, to: Point) -> Option<(Point, Point)> {
     is_seen.then(|| (from + way * begin, from + way * end))
 }
 
+fn names_an_arrow(name: &Name) -> bool {
+    name.class() == "label vector-name"
+}
+
 fn place_names(
     panel: &mut Panel,
     index: usize,
@@ -1486,12 +1641,12 @@ fn place_names(
                 ink.group(moved);
             }
         }
-        let spot = |anchors: &[(Frame, Vec2)]| {
+        let spot = |name: &Name, anchors: &[(Frame, Vec2)]| {
             let points: Option<Vec<Point>> =
                 anchors.iter().map(|(frame, own)| frame.global(*own, &seen)).collect();
             match points?[..] {
                 [at] => Some(Spot::Point(at)).filter(|_| panel.shown.contains(at)),
-                [from, to, ..] if panel.kind == DiagramKind::Skeleton => Some(Spot::Stroke(from, to)),
+                [from, to, ..] if !names_an_arrow(name) => Some(Spot::Stroke(from, to)),
                 // Next to a limit a vector is metres long: its name stands by what is seen of it.
                 [from, to, ..] => part_within(panel.shown, from, to)
                     .filter(|(from, to)| from.distance(*to) >= SHORTEST_NAMED)
@@ -1499,7 +1654,7 @@ fn place_names(
                 _ => None,
             }
         };
-        moving::Frame { ink, spots: spots.iter().map(|own| spot(&own.anchors)).collect() }
+        moving::Frame { ink, spots: spots.iter().map(|own| spot(&own.name, &own.anchors)).collect() }
     };
     let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
     let names: Vec<Name> = spots.iter().map(|own| own.name.clone()).collect();
@@ -1516,7 +1671,9 @@ fn place_names(
         ink.id = Some(id.clone());
         labels.group(ink);
         let is_of_point = matches!(name.class(), "label point-name" | "label image-name");
-        placed.push(Placed { id, anchors, by, half, step, output, of: name.of().to_vec(), is_of_point });
+        let is_of_arrow = names_an_arrow(&name) && panel.kind == DiagramKind::Skeleton;
+        let of = name.of().to_vec();
+        placed.push(Placed { id, anchors, by, half, step, output, of, is_of_point, is_of_arrow });
     }
     panel.ink.group(labels);
     panel.names = placed;

@@ -82,7 +82,7 @@ impl<'s> Live<'s> {
         over: Over,
         range: Option<[f64; 2]>,
     ) -> Result<Self, LiveError> {
-        let also = shown::besides(scene, solved);
+        let also = shown::besides(scene, solved, over);
         let sweep = Sweep::showing(over, &scene.mechanism, range, &also)?;
         let listing = sweep.listing();
         if !listing.constants.iter().all(|(_, value, _)| value.is_finite()) {

@@ -50,6 +50,8 @@ pub(super) enum Frame {
     Headed(usize, usize),
     /// At a place, turned and stretched with the vector whose coordinates are this output and the one after it.
     Carried(usize, usize),
+    /// The same with the second vector, at a point that keeps its place as the first one carries it from the place.
+    Summed(usize, usize, [f64; 2], usize),
 }
 
 /// Places nearer to each other tell no direction, mm.
@@ -72,6 +74,10 @@ impl Frame {
             Self::Carried(a, output) => {
                 let along = Vec2::new(seen.number(output)?, -seen.number(output + 1)?);
                 (along.hypot() > SMALL && along.is_finite()).then_some((seen.at(a)?, along))
+            }
+            Self::Summed(a, first, [x, y], second) => {
+                let origin = Self::Carried(a, first).global(Vec2::new(x, y), seen)?;
+                Some((origin, Self::Carried(a, second).axes(seen)?.1))
             }
             Self::Rigid(a, b) | Self::Similar(a, b) => {
                 let (a, b) = (seen.at(a)?, seen.at(b)?);
@@ -108,6 +114,7 @@ impl Frame {
             Self::Similar(a, b) => json!([3, a, b]),
             Self::Headed(a, output) => json!([4, a, output]),
             Self::Carried(a, output) => json!([5, a, output]),
+            Self::Summed(a, first, [x, y], second) => json!([6, a, first, x, y, second]),
         }
     }
 }
@@ -157,8 +164,39 @@ impl Binder {
 
     /// A point that is told in every position, in the frame in which it keeps its place.
     pub(super) fn bound(&self, points: &[Point]) -> Option<(Frame, Vec2)> {
-        let frame = self.frame(&[points.to_vec()])?;
+        let frame = self.frame(&[points.to_vec()]).or_else(|| self.summed(points))?;
         Some((frame, self.local(frame, *points.first()?)?))
+    }
+
+    /// The frame of a point that two vectors lead to from a place, each turned and stretched always alike: two positions tell by how
+    /// much, the others whether it is so.
+    fn summed(&self, points: &[Point]) -> Option<Frame> {
+        if self.seen.len() < 4 || points.len() != self.seen.len() {
+            return None;
+        }
+        let vector =
+            |output: usize, seen: &Seen| Frame::Carried(0, output).axes(seen).map(|(_, along)| along);
+        let times = |a: Vec2, b: Vec2| Vec2::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+        let [(one, here), (other, there)] = [0, 1].map(|index: usize| (&self.seen[index], points[index]));
+        let of = |place: usize, first: usize, second: usize| {
+            let ways = (here - one.at(place)?, there - other.at(place)?);
+            let [p, q] = [first, second].map(|output| Some((vector(output, one)?, vector(output, other)?)));
+            let (p, q) = (p?, q?);
+            // Of complex numbers, as a turn with a stretch is one.
+            let crossed = times(p.0, q.1) - times(p.1, q.0);
+            if crossed.hypot() < 1e-6 * p.0.hypot() * q.1.hypot() {
+                return None;
+            }
+            let part = times(ways.0, q.1) - times(ways.1, q.0);
+            let part = times(part, Vec2::new(crossed.x, -crossed.y)) / crossed.hypot2();
+            let frame = Frame::Summed(place, first, [part.x, part.y], second);
+            self.keeps(frame, points).then_some(frame)
+        };
+        let places = 0..one.places.len();
+        let pairs = self.vectors.iter().flat_map(|a| self.vectors.iter().map(move |b| (*a, *b)));
+        places
+            .flat_map(|place| pairs.clone().map(move |pair| (place, pair)))
+            .find_map(|(place, (first, second))| of(place, first, second))
     }
 
     /// A length that is told in every position, as a part of the unit of a frame.
@@ -192,10 +230,10 @@ pub(super) enum Move {
     Ray([usize; 2]),
     /// A closed outline through places.
     Outline(Vec<usize>),
-    /// An arc with an arrow about a place, from the right to the angle that is varied.
-    Turn(usize, f64),
-    /// A line through all of these points that are known, and a little past the outermost; as far as it is on the panel.
-    Through(Vec<(Frame, Vec2)>),
+    /// An arc with an arrow about a place, from the right to the angle that is varied, or to that which is an output.
+    Turn(usize, f64, Option<usize>),
+    /// A line through all of these points that are known, and so far past the outermost, mm; as far as it is on the panel.
+    Through(Vec<(Frame, Vec2)>, f64),
     /// An arrow from point to point.
     Arrow([(Frame, Vec2); 2]),
     /// A circle about a point, its radius a part of the unit of a frame.
@@ -242,8 +280,9 @@ impl Moving {
             Move::Vector(ends) => ("vector", json!(ends)),
             Move::Ray(ends) => ("ray", json!(ends)),
             Move::Outline(through) => ("outline", json!(through)),
-            Move::Turn(place, radius) => ("turn", json!([place, radius])),
-            Move::Through(points) => ("through", json!(points.iter().map(point).collect::<Vec<_>>())),
+            Move::Turn(place, radius, None) => ("turn", json!([place, radius])),
+            Move::Turn(place, radius, Some(angle)) => ("turn", json!([place, radius, angle])),
+            Move::Through(points, _) => ("through", json!(points.iter().map(point).collect::<Vec<_>>())),
             Move::Arrow(ends) => ("arrow", json!(ends.iter().map(point).collect::<Vec<_>>())),
             Move::Round(centre, (frame, part)) => ("round", json!([point(centre), frame.json(), part])),
             Move::Mark(at) => ("mark", point(at)),
@@ -251,6 +290,11 @@ impl Moving {
         };
         all["move"] = json!(kind);
         all["at"] = at;
+        if let Move::Through(_, past) = self.by
+            && past != PAST
+        {
+            all["past"] = json!(past);
+        }
         if let Some(quantity) = &self.quantity {
             all["quantity"] = json!(quantity);
         }
@@ -304,7 +348,7 @@ impl Moving {
                 let pen = crate::sheet::figure::Pen::solid(0.3);
                 group.mark(Mark::stroke(Shape::Line(from, to), pen));
             }
-            Move::Through(points) => {
+            Move::Through(points, _) => {
                 let known: Vec<Point> = points.iter().filter_map(|(f, own)| f.global(*own, now)).collect();
                 let far = |at: &&Point| at.to_vec2().hypot() < 1e4;
                 let (from, to) = (known.first().filter(far)?, known.last().filter(far)?);

@@ -8,13 +8,14 @@ use crate::graphical::construction::Reading;
 use crate::markup::escaped;
 use crate::mechanism::LinkId;
 use crate::mechanism::quantity::{Answer, Nature, Quantity, Unit};
+use crate::plan::Extent;
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
 use crate::sheet::figure::{Figure, Group, Node};
 use crate::sheet::font::ARABIC_FAMILIES;
 use crate::sheet::moving::{self, Draughts, Lengths, Said};
 use crate::sheet::{Language, Part, prompt};
-use crate::solve::Solved;
+use crate::solve::{Solved, solve};
 use crate::sweep::{InputKind, Sweep};
 
 /// The scripts, in the order in which they are joined.
@@ -202,6 +203,23 @@ pub fn question(scene: &Scene, options: &Options) -> String {
     document(scene, options, &fields, &script, None, None)
 }
 
+/// The question for a window that is narrower than its paper; none where the scene cannot be drawn to another scale.
+fn strip(scene: &Scene, language: Language) -> Option<Figure> {
+    /// On a narrower one letters are as large as those of the page, mm.
+    const NARROW: f64 = 118.0;
+    let on = |paper: &str| {
+        let mut small = scene.clone();
+        small.sheet.paper = Some(paper.to_owned());
+        let solved = solve(&small, Extent::WholeSkeleton, crate::sheet::scale::for_scene).ok()?;
+        Some(crate::sheet::question_strip(&small, &solved.solution.construction, language))
+    };
+    let usual = on("A5")?;
+    if usual.width <= NARROW {
+        return Some(usual);
+    }
+    Some(on("A6").filter(|small| small.width < usual.width).unwrap_or(usual))
+}
+
 /// The same in every language of the page; the first is shown at first.
 fn in_each(languages: &[Language], of: impl Fn(Language) -> String) -> String {
     let one = |(index, language): (usize, &Language)| {
@@ -288,7 +306,7 @@ fn bare(script: &str) -> String {
 }
 
 /// A line of a script without the blanks beside its signs. Texts stay as they are, and lines with a pattern, whose strokes have no
-/// blanks beside them as those of a division have, or with one template in another; so do sums, whose signs must not run together.
+/// blanks beside them as those of a division have, or with one template in another. Signs of sums do not run together.
 fn tight(line: &str) -> String {
     const SIGNS: &str = ",=(){}[]:?&|;<>*!";
     if line.replace(" / ", "").contains('/') || line.matches('`').count() > 2 {
@@ -299,8 +317,13 @@ fn tight(line: &str) -> String {
     let mut rest = line.chars().peekable();
     while let Some(c) = rest.next() {
         let beside = [out.chars().next_back(), rest.peek().copied()];
-        if c == ' ' && quote.is_none() && beside.into_iter().flatten().any(|sign| SIGNS.contains(sign)) {
-            continue;
+        if c == ' ' && quote.is_none() {
+            let of_sum = |sign: char| matches!(sign, '+' | '-');
+            let runs_together = beside.into_iter().all(|sign| sign.is_some_and(of_sum));
+            let is_sign = |sign: char| SIGNS.contains(sign) || of_sum(sign) && !runs_together;
+            if beside.into_iter().flatten().any(is_sign) {
+                continue;
+            }
         }
         out.push(c);
         match quote {
@@ -465,8 +488,9 @@ fn panels(all: &[Panel]) -> String {
     for (index, panel) in all.iter().enumerate() {
         let shown = panel.shown;
         let n = |x: f64| decimal(x, 3);
+        let over = if panel.over.is_empty() { "" } else { " over" };
         out.push_str(&format!(
-            "<figure class=\"panel\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
+            "<figure class=\"panel{over}\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
              aria-labelledby=\"title{index}\" aria-describedby=\"state{index}\" xmlns=\"http://www.w3.org/2000/svg\" \
              viewBox=\"{} {} {} {}\" width=\"{}mm\" height=\"{}mm\" font-family=\"{}\" stroke-linejoin=\"round\">{}</svg>\
              <figcaption dir=\"auto\"><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"auto\">{}</bdi>\
@@ -495,12 +519,13 @@ fn document(
     data: Option<&Value>,
     still: Option<&str>,
 ) -> String {
-    let (language, sheet) = match options.sheets.first() {
-        Some((language, sheet)) => (*language, Some(sheet)),
-        None => (Language::English, None),
-    };
+    let language = options.sheets.first().map_or(Language::English, |(language, _)| *language);
     let (tag, own) = (language.words().tag, words::of(language));
-    let faces: String = sheet.map(|sheet| svg::faces(sheet, ALSO)).unwrap_or_default();
+    let is_moving = data.is_some() && still.is_none();
+    // What moves tells itself in every language; the finished sheet is there once.
+    let shown = if is_moving { 1 } else { options.sheets.len() };
+    let set: Vec<&Figure> = options.sheets.iter().take(shown).map(|(_, sheet)| sheet).collect();
+    let faces = svg::faces(&set, ALSO);
     let style = format!("{faces}\n{STYLE}");
     let policy = format!(
         "default-src 'none'; script-src {}; style-src {}; font-src data:; img-src data: blob:; base-uri 'none'; \
@@ -510,7 +535,6 @@ fn document(
     );
     let languages: Vec<Language> = options.sheets.iter().map(|(language, _)| *language).collect();
     let title = escaped(scene.title.in_language(tag).unwrap_or(language.words().untitled));
-    let is_moving = data.is_some() && still.is_none();
     let titled = |language: Language| {
         let words = language.words();
         escaped(scene.title.in_language(words.tag).unwrap_or(words.untitled)).to_string()
@@ -518,8 +542,6 @@ fn document(
     let heading = if is_moving { title.to_string() } else { in_each(&languages, titled) };
     let choice = if is_moving { String::new() } else { switch(&languages) };
     let direction = if language.words().right_to_left { "rtl" } else { "ltr" };
-    // What moves tells itself in every language; the finished sheet is there once.
-    let shown = if is_moving { 1 } else { options.sheets.len() };
     let sheets: String = options
         .sheets
         .iter()
@@ -528,9 +550,15 @@ fn document(
         .map(|(index, (language, figure))| {
             let hidden = if index == 0 { "" } else { " hidden" };
             let tag = language.words().tag;
+            let strip = if data.is_none() { strip(scene, *language) } else { None };
+            let wide = if strip.is_some() { " wide-only" } else { "" };
+            let strip = strip.map_or(String::new(), |strip| {
+                let ink = lean(&svg::write(&strip));
+                format!("<div class=\"sheet narrow-only\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{ink}</div>")
+            });
             // On its own, so that it never interferes with what moves.
             format!(
-                "<div class=\"sheet\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>",
+                "{strip}<div class=\"sheet{wide}\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>",
                 match still {
                     Some(_) => lean(&svg::write(&stepped(figure))),
                     None => lean(&svg::write(figure)),
@@ -600,12 +628,20 @@ fn text(
         .iter()
         .map(|panel| match panel.shows {
             Shows::Circle => String::new(),
-            _ => isolated(&draughts.scale(panel.kind.dimension(), panel.si_per_mm), language),
+            Shows::Layer(_) => isolated(&draughts.scales(panel.si_per_mm, &panel.over), language),
+            Shows::Diagram => isolated(&draughts.scale(panel.kind.dimension(), panel.si_per_mm), language),
         })
         .collect();
     let mut symbols = serde_json::Map::new();
     for asked in &scene.mechanism.asked {
         symbols.insert(asked.name.clone(), draughts.symbol(asked.quantity).into());
+    }
+    let arrows: Vec<&str> = panels.iter().flat_map(Panel::arrows).collect();
+    for column in sweep.iter().flat_map(|sweep| &sweep.columns) {
+        let name = draughts.quantity_name(column.asked.quantity);
+        if arrows.contains(&name.as_str()) {
+            symbols.entry(name).or_insert_with(|| draughts.symbol(column.asked.quantity).into());
+        }
     }
     // Terms of equations that are written otherwise than the quantity by itself.
     let mut terms = serde_json::Map::new();

@@ -2,15 +2,16 @@
 
 use std::f64::consts::PI;
 
-use crate::graphical::construction::Found;
+use crate::graphical::construction::{Found, Spot, TransferInk};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 use crate::solve::Solved;
+use crate::sweep::Over;
 
 /// Everything that stands on the paper of a solution, as if it had been asked, in the scene's units.
-pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
+pub(super) fn besides(scene: &Scene, solved: &Solved, over: Over) -> Vec<Asked> {
     let mechanism = &scene.mechanism;
     let shown = solved.solution.shown.iter().map(|shown| shown.quantity);
     let construction = &solved.solution.construction;
@@ -32,18 +33,31 @@ pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
     let drawn = construction.auxiliary.iter().find(|drawing| drawing.refused.is_none());
     let klein = construction.auxiliary.iter().any(|d| matches!(d.kind, Auxiliary::Klein { .. }));
     let points = || (0..mechanism.points.len()).map(PointId).filter(|p| placed(p) && !mechanism.is_fixed(*p));
-    let second = solved.solution.shown.iter().any(|shown| shown.quantity.order() == Order::Acceleration);
+    // What is read off a construction on the skeleton is asked for and stands on no polygon.
+    let asked = mechanism.asked.iter().map(|asked| asked.quantity);
+    let second = shown.clone().chain(asked).any(|quantity| quantity.order() == Order::Acceleration);
     // The arrows of driven links.
     let driven = mechanism.inputs.iter().filter_map(|input| match *input {
-        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+        Input::Angle { link, alpha, .. } | Input::Speed { link, alpha, .. } => {
+            Some((link, second || alpha.value != 0.0))
+        }
         Input::Slide { .. } => None,
     });
-    let mut more: Vec<Quantity> = driven.clone().map(Quantity::Omega).collect();
-    if second {
-        more.extend(driven.map(Quantity::Alpha));
-    }
+    let over_time = driven.clone().filter(|_| over == Over::Time);
+    let mut more: Vec<Quantity> = over_time.map(|(link, _)| Quantity::Angle(link)).collect();
+    more.extend(driven.clone().map(|(link, _)| Quantity::Omega(link)));
+    more.extend(driven.filter(|(_, has_alpha)| *has_alpha).map(|(link, _)| Quantity::Alpha(link)));
     if drawn.is_some() || construction.circle.as_ref().is_some_and(|circle| !circle.transfers.is_empty()) {
         more.extend(points().map(Quantity::Velocity));
+    }
+    for ink in construction.circle.iter().flat_map(|circle| &circle.transfers).flat_map(|own| &own.ink) {
+        match *ink {
+            TransferInk::Velocity { of: Spot::Under(point, link), .. } => {
+                more.push(Quantity::CoincidentVelocity(point, link));
+            }
+            TransferInk::Difference { of, .. } => more.push(of),
+            _ => {}
+        }
     }
     if klein && second {
         more.extend(points().map(Quantity::Acceleration));

@@ -30,7 +30,7 @@ words! {
     draw, on_paper, turns_back, no_print, not_a_length,
     help_keys, moving_page, seconds_a_turn, copied, answer,
     page_version, not_moving, not_moving_one, said_at_start, said_at_start_one, save_answers, not_read, not_a_number, own_name,
-    question_sheet, taken_apart, begin_over, no_room, no_room_one, at_rest, locked,
+    question_sheet, taken_apart, begin_over, no_room, no_room_one, out_of_slot, at_rest, locked,
 }
 
 /// The words of a language.
@@ -126,6 +126,7 @@ const ENGLISH: Words = Words {
     begin_over: "Assembled again at the scene's own position.",
     no_room: "{count} names have no room at this scale",
     no_room_one: "1 name has no room at this scale",
+    out_of_slot: "{point} is out of the slot of link {link}: here its numbers do not hold",
 };
 
 const ARABIC: Words = Words {
@@ -209,6 +210,7 @@ const ARABIC: Words = Words {
     begin_over: "رُكّبت الآلية من جديد في الوضع المعطى.",
     no_room: "{count} من الأسماء لا مكان لها هنا بهذا المقياس",
     no_room_one: "اسم واحد لا مكان له هنا بهذا المقياس",
+    out_of_slot: "{point} خارج شق الوصلة {link}: لا تصح أرقامها هنا",
 };
 
 const PERSIAN: Words = Words {
@@ -292,4 +294,5 @@ const PERSIAN: Words = Words {
     begin_over: "مکانیزم در وضعیت داده‌شده دوباره سوار شد.",
     no_room: "برای {count} نام در این مقیاس اینجا جا نیست",
     no_room_one: "برای یک نام در این مقیاس اینجا جا نیست",
+    out_of_slot: "{point} بیرون از شیار بند {link} است: اعداد آن در اینجا درست نیستند",
 };

@@ -66,10 +66,12 @@ pub fn fragment(group: &Group) -> String {
     writer.group(group, Place::default()).to_string().replace(PREFIX, "")
 }
 
-/// The rules for the typefaces of a figure's text, with the glyphs that occur and some more characters of each.
+/// The rules for the typefaces of the text of some figures, with the glyphs that occur and some more characters of each.
 #[must_use]
-pub fn faces(figure: &Figure, also: &str) -> String {
-    let mut all = figure.clone();
+pub fn faces(figures: &[&Figure], also: &str) -> String {
+    let Some((first, others)) = figures.split_first() else { return String::new() };
+    let mut all = (*first).clone();
+    all.root.children.extend(others.iter().flat_map(|other| other.root.children.clone()));
     for face in [Face::Upright, Face::Italic] {
         let at = Point::ORIGIN;
         let runs = vec![Run { text: also.to_owned(), face, size: 4.0, at }];

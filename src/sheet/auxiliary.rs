@@ -329,17 +329,9 @@ impl Plate<'_> {
     fn vector_names(&self) -> Vec<Request> {
         /// Shorter ones have no room for it; the steps name them.
         const SHORTEST: f64 = 3.0;
-        let place = |label: Label, order: Order| {
-            let own = self.drawing.points.iter().find(|point| point.name == PointName::Image(label, order));
-            own.map(|point| page(point.at)).filter(|at| self.window.contains(*at))
-        };
-        let read = self.drawing.acts.iter().filter_map(|act| match *act {
-            AuxiliaryAct::ReadImage { quantity, tail, head, .. } => {
-                let order = quantity.order();
-                let (from, to) = (place(tail, order)?, place(head, order)?);
-                (from.distance(to) >= SHORTEST).then_some((quantity, from, to))
-            }
-            _ => None,
+        let read = read_between(self.drawing).filter(|(_, from, to)| {
+            let on_paper = [from, to].iter().all(|at| self.window.contains(**at));
+            on_paper && from.distance(*to) >= SHORTEST
         });
         let named = |(quantity, from, to): (Quantity, Point, Point)| {
             let text = self.notation.symbol(quantity, false);
@@ -349,6 +341,41 @@ impl Plate<'_> {
         };
         read.map(named).collect()
     }
+}
+
+/// What is read between two image points, and these on the page.
+pub(super) fn read_between(
+    drawing: &AuxiliaryDrawing,
+) -> impl Iterator<Item = (Quantity, Point, Point)> + '_ {
+    let place = |label: Label, order: Order| {
+        let own = drawing.points.iter().find(|point| point.name == PointName::Image(label, order));
+        own.map(|point| page(point.at))
+    };
+    drawing.acts.iter().filter_map(move |act| match *act {
+        AuxiliaryAct::ReadImage { quantity, tail, head, .. } => {
+            let order = quantity.order();
+            Some((quantity, place(tail, order)?, place(head, order)?))
+        }
+        _ => None,
+    })
+}
+
+/// The scales of images on the skeleton that follow from its own, SI units for a millimetre.
+pub(super) fn scales(drawing: &AuxiliaryDrawing) -> Vec<(Dimension, f64)> {
+    let of = |act: &AuxiliaryAct| match *act {
+        AuxiliaryAct::CrankAsImage { velocity, acceleration, .. } => Some((velocity, acceleration)),
+        _ => None,
+    };
+    let Some((velocity, acceleration)) = drawing.acts.iter().find_map(of) else { return Vec::new() };
+    let acceleration = acceleration.map(|scale| (Dimension::Acceleration, scale));
+    std::iter::once((Dimension::Velocity, velocity)).chain(acceleration).collect()
+}
+
+/// A scale that follows from another: 15.7 cm/s ≡ 1 cm.
+pub(super) fn scale_that_follows(si_per_mm: f64, dimension: Dimension, notation: &Notation<'_>) -> Rich {
+    let unit = notation.unit(dimension);
+    let (number, _) = human::factor(si_per_mm * 10.0 / unit.si);
+    human::with_unit(&number, &unit.symbol).up("\u{a0}≡\u{a0}1\u{a0}cm")
 }
 
 /// Whether a name is that of a place, not of a curve, an arrow or a length.
@@ -467,7 +494,7 @@ impl Teller<'_> {
                     ("velocity", n.symbol(Quantity::Velocity(crank.crank_pin), false)),
                     ("omega", omega(crank.crank)),
                     ("rate", self.rate_of_scale(crank.crank, rate)),
-                    ("scale", self.scale(velocity, Dimension::Velocity)),
+                    ("scale", scale_that_follows(velocity, Dimension::Velocity, n)),
                 ];
                 let mut text = Rich::fill(words.klein_crank, &parts);
                 if let Some(scale) = acceleration {
@@ -475,7 +502,7 @@ impl Teller<'_> {
                         ("pole", image(pole, DiagramKind::Acceleration)),
                         ("image", image(label(crank.crank_pin), DiagramKind::Acceleration)),
                         ("omega", omega(crank.crank)),
-                        ("scale", self.scale(scale, Dimension::Acceleration)),
+                        ("scale", scale_that_follows(scale, Dimension::Acceleration, n)),
                     ];
                     text = text.up(" ").then(&Rich::fill(words.klein_crank_accelerations, &parts));
                 }
@@ -1045,13 +1072,6 @@ impl Teller<'_> {
     fn rate_of_scale(&self, link: LinkId, omega: f64) -> Rich {
         self.figures.borrow_mut().want_for_scale(Key::of(Quantity::Omega(link), self.notation));
         self.rate(link, omega)
-    }
-
-    /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.
-    fn scale(&self, si_per_mm: f64, dimension: Dimension) -> Rich {
-        let unit = self.notation.unit(dimension);
-        let (number, _) = human::factor(si_per_mm * 10.0 / unit.si);
-        human::with_unit(&number, &unit.symbol).up("\u{a0}≡\u{a0}1\u{a0}cm")
     }
 }
 

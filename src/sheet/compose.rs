@@ -345,17 +345,44 @@ fn short_number(value: f64) -> String {
 /// The same as a card of a question bank, for a screen: one page as high as it needs, without a page number.
 #[must_use]
 pub fn question_card(scene: &Scene, construction: &Construction, language: Language) -> Figure {
-    /// Higher than any question: then it has one page.
+    let mut figure = question_on_one_page(paper(scene), scene, construction, language, Some(&[]));
+    if let Some(ink) = figure.root.bounds() {
+        figure.height = figure.height.min(ink.y1 + MARGIN);
+    }
+    figure
+}
+
+/// The question for a narrow screen: one page without margins, no wider than its drawing or than lines of text ask for.
+#[must_use]
+pub fn question_strip(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    /// A line of text has so much room at least, mm.
+    const LINE: f64 = 92.0;
+    /// Blank about the ink, mm: letters of Arabic script may be wider where they are read.
+    const BLANK: f64 = 2.5;
+    let size = (LINE + 2.0 * MARGIN, paper(scene).1);
+    let mut figure = question_on_one_page(size, scene, construction, language, None);
+    if let Some(ink) = figure.root.bounds() {
+        figure.root.translate(Vec2::new(BLANK - ink.x0, BLANK - ink.y0));
+        (figure.width, figure.height) = (ink.width() + 2.0 * BLANK, ink.height() + 2.0 * BLANK);
+    }
+    figure
+}
+
+/// A question on a page that is higher than any question, without its number.
+fn question_on_one_page(
+    (width, height): (f64, f64),
+    scene: &Scene,
+    construction: &Construction,
+    language: Language,
+    of_exam: Option<&[Marked]>,
+) -> Figure {
+    /// So many times as high as its paper.
     const HIGH: f64 = 20.0;
-    let (width, height) = paper(scene);
-    let mut figure = question_on((width, HIGH * height), scene, construction, language, Some(&[]));
+    let mut figure = question_on((width, HIGH * height), scene, construction, language, of_exam);
     for page in &mut figure.root.children {
         if let Node::Group(page) = page {
             page.children.retain(|node| !matches!(node, Node::Text(text) if text.class == "page-number"));
         }
-    }
-    if let Some(ink) = figure.root.bounds() {
-        figure.height = figure.height.min(ink.y1 + MARGIN);
     }
     figure
 }

@@ -67,8 +67,8 @@ mod words;
 pub use answers::{Part, prompt};
 pub use booklet::{answer_form, booklet};
 pub use compose::{
-    Marked, figure_names, film, lettered, paper, question, question_card, question_of_exam, single,
-    single_after, single_of_question, solution, stack, step_by_step,
+    Marked, figure_names, film, lettered, paper, question, question_card, question_of_exam, question_strip,
+    single, single_after, single_of_question, solution, stack, step_by_step,
 };
 pub use controlling::controlling_force;
 pub use figure::Figure;

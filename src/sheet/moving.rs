@@ -15,16 +15,17 @@ use super::notation::Notation;
 use super::overlap::clip;
 use super::panels::{self, Panel};
 use super::rich::Rich;
+pub use super::slots::Opening;
 use super::steps::{self, Item, WAY};
 use super::words::Language;
 use super::{auxiliary, human, polygon, skeleton, transfer};
 use crate::graphical::auxiliary::{StrokeRole, StrokeShape};
 use crate::graphical::construction::{
-    Act, CentreLine, CentrePlace, CircleDiagram, Claim, Construction, Found, Label, Reference, TransferInk,
-    Vector, VectorKind,
+    Act, CentreLine, CentrePlace, CircleDiagram, Claim, Construction, Found, Label, Reference, Transfer,
+    TransferInk, Vector, VectorKind,
 };
-use crate::mechanism::Rider;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
+use crate::mechanism::{LinkId, PointId, Rider};
 use crate::plan::chord;
 use crate::scene::Scene;
 
@@ -39,6 +40,8 @@ pub struct Drawing {
     /// The names of a skeleton; those of a polygon are asked for with [`Draughts::name_of_images`] and
     /// [`Draughts::name_of_vectors`].
     pub names: Vec<Name>,
+    /// The slots of a skeleton that let their pins go.
+    pub openings: Vec<Opening>,
     /// Its caption, as hypertext.
     pub title: String,
 }
@@ -54,6 +57,30 @@ pub struct Layer {
     pub strokes: Vec<LayerStroke>,
     /// Its points that have a name or a mark.
     pub points: Vec<LayerPoint>,
+    /// Names that stand beside what is drawn from point to point.
+    pub names: Vec<LayerName>,
+    /// The scales of what is drawn over the skeleton to another scale than this has.
+    pub scales: Vec<LayerScale>,
+}
+
+/// A name in a layer beside what is drawn between two points.
+#[derive(Debug, Clone)]
+pub struct LayerName {
+    /// The points; none for one that is at infinity.
+    pub at: [Option<Point>; 2],
+    /// The name.
+    pub name: Name,
+}
+
+/// A scale in a layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LayerScale {
+    /// What is drawn to it.
+    pub dimension: Dimension,
+    /// SI units for a millimetre.
+    pub si_per_mm: f64,
+    /// It was not chosen: it follows from another one.
+    pub follows: bool,
 }
 
 /// A stroke of a layer.
@@ -78,6 +105,8 @@ pub enum Way {
     Line,
     /// Through all that are on the paper, and a little past the outermost.
     Through,
+    /// From the first to the last, as far as that is on the paper.
+    Within,
     /// An arrow from the first to the last.
     Arrow,
     /// A circle with this radius about the first.
@@ -138,6 +167,13 @@ impl Name {
     #[must_use]
     pub fn class(&self) -> &'static str {
         self.request.class
+    }
+
+    /// Whether it says the same of the same.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        let (own, other) = (&self.request, &other.request);
+        own.class == other.class && own.names == other.names && own.text == other.text
     }
 
     /// What it stands by in the diagram that was drawn.
@@ -275,19 +311,21 @@ impl<'a> Draughts<'a> {
     pub fn diagrams(&self) -> Vec<Drawing> {
         let (construction, notation) = (&self.construction, &self.notation);
         let births = Births::of(construction, notation.mechanism());
-        let (ink, names) = skeleton::apart(construction, notation, &births);
+        let (ink, names, openings) = skeleton::apart(construction, notation, &births);
         let names = names.into_iter().map(|request| Name { request }).collect();
         let mut all = vec![Drawing {
             kind: DiagramKind::Skeleton,
             ink,
             names,
+            openings,
             title: self.title(DiagramKind::Skeleton),
         }];
         for diagram in &construction.diagrams {
             let Some(births) = births.images(diagram.kind) else { continue };
             let ink = polygon::apart(diagram, notation, births);
             let title = self.title(diagram.kind);
-            all.push(Drawing { kind: diagram.kind, ink, names: Vec::new(), title });
+            let (names, openings) = (Vec::new(), Vec::new());
+            all.push(Drawing { kind: diagram.kind, ink, names, openings, title });
         }
         all
     }
@@ -299,7 +337,7 @@ impl<'a> Draughts<'a> {
         if let Some(circle) = &self.construction.circle {
             all.push(self.centres(circle));
             for own in transfer::by_method(circle) {
-                all.push(self.transfers(&own));
+                all.push(self.transfers(circle, &own));
             }
         }
         // The lever does not stand on the skeleton.
@@ -320,10 +358,7 @@ impl<'a> Draughts<'a> {
         /// Of more centres than these the pins have no names.
         const NAMED: usize = 10;
         let notation = &self.notation;
-        let on_paper = |links| match found.centre(links).map(|centre| centre.place) {
-            Some(CentrePlace::At(at)) => Some(page(at)),
-            _ => None,
-        };
+        let on_paper = |links| on_paper(found, links);
         let mut strokes: Vec<LayerStroke> = Vec::new();
         for centre in &found.centres {
             let Found::Kennedy { lines } = centre.found else { continue };
@@ -354,7 +389,7 @@ impl<'a> Draughts<'a> {
             }
         }
         let mut points: Vec<LayerPoint> = Vec::new();
-        let mut pins: Vec<(crate::mechanism::PointId, Vec<_>)> = Vec::new();
+        let mut pins: Vec<(PointId, Vec<_>)> = Vec::new();
         for centre in &found.centres {
             match centre.found {
                 Found::Pin(point) => match pins.iter_mut().find(|(own, _)| *own == point) {
@@ -364,7 +399,7 @@ impl<'a> Draughts<'a> {
                 _ => {
                     let mut ink =
                         Group::new("centre").data("centre", circle::centre_name(centre.links, notation));
-                    if centre.links[0] == crate::mechanism::LinkId::FRAME {
+                    if centre.links[0] == LinkId::FRAME {
                         let ring = Shape::Circle { centre: Point::ORIGIN, radius: 1.2 };
                         ink.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole"));
                     }
@@ -381,10 +416,17 @@ impl<'a> Draughts<'a> {
                 points.push(LayerPoint { at, name: Some(name), ink: Group::default() });
             }
         }
-        Layer { figure: "centres", title: notation.words.centres_figure.to_owned(), strokes, points }
+        Layer {
+            figure: "centres",
+            title: notation.words.centres_figure.to_owned(),
+            strokes,
+            points,
+            names: Vec::new(),
+            scales: Vec::new(),
+        }
     }
 
-    fn name_of_centres(&self, links: &[[crate::mechanism::LinkId; 2]], radius: f64) -> Name {
+    fn name_of_centres(&self, links: &[[LinkId; 2]], radius: f64) -> Name {
         let texts: Vec<Rich> = links.iter().map(|links| circle::name(*links, &self.notation)).collect();
         let text = Rich::join(&texts, &Rich::upright(","));
         let names: Vec<String> =
@@ -393,21 +435,97 @@ impl<'a> Draughts<'a> {
         Name { request: Request::new(text, SMALL, site, "label centre-name").naming(names) }
     }
 
-    fn transfers(&self, own: &[&crate::graphical::construction::Transfer]) -> Layer {
-        let strokes = transfer::strokes(own).into_iter().filter_map(|stroke| {
-            let (from, to) = transfer::ends(&stroke);
-            let (way, pen, class) = match stroke {
-                TransferInk::Arc { .. } => return None,
-                TransferInk::Velocity { .. }
-                | TransferInk::Turned { .. }
-                | TransferInk::Difference { .. } => (Way::Arrow, Pen::solid(THICK), "vector"),
-                _ => (Way::Line, Pen::solid(FINE), "construction"),
+    fn transfers(&self, circle: &CircleDiagram, own: &[&Transfer]) -> Layer {
+        let notation = &self.notation;
+        let (mut strokes, mut points, mut names) = (Vec::new(), Vec::new(), Vec::new());
+        let mut turned: Vec<PointId> = Vec::new();
+        let mut has_arrows = false;
+        for ink in transfer::strokes(own) {
+            let (from, to) = transfer::ends(&ink);
+            let mut add = |way, (from, to): (Point, Point), pen, class, of: String| {
+                let at = vec![Some(from), Some(to)];
+                strokes.push(LayerStroke { way, at, pen, class, of });
             };
-            Some(LayerStroke { way, at: vec![Some(from), Some(to)], pen, class, of: String::new() })
+            match ink {
+                TransferInk::Arc { .. } => {}
+                TransferInk::Velocity { .. } | TransferInk::Difference { .. } => {
+                    let (symbol, quantity) = transfer::name_of_arrow(&ink, notation);
+                    let of: Vec<String> = quantity.map(|of| notation.quantity_name(of)).into_iter().collect();
+                    add(Way::Arrow, (from, to), Pen::solid(THICK), "velocity vector", of.concat());
+                    let site = Site::Along { from, to };
+                    let request = Request::new(symbol, SMALL, site, "label vector-name").naming(of);
+                    names.push(LayerName { at: [Some(from), Some(to)], name: Name { request } });
+                    has_arrows = true;
+                }
+                TransferInk::Turned { of, .. } => {
+                    let pen = Pen::dashed(THIN);
+                    add(Way::Arrow, (from, to), pen, "turned", String::new());
+                    // A pin between two links is turned once, but for rounding.
+                    if !turned.contains(&of) {
+                        turned.push(of);
+                        let site = Site::Around { at: to, radius: 0.6, toward: None };
+                        let request = Request::new(notation.point(of).up("′"), SMALL, site, "label");
+                        let name = Some(Name { request });
+                        points.push(LayerPoint { at: Some(to), name, ink: Group::default() });
+                    }
+                    has_arrows = true;
+                }
+                TransferInk::Gauge { foot, .. } => {
+                    add(Way::Within, (from, to), Pen::solid(FINE), "gauge-line", String::new());
+                    // The line on which the arrows stand whose tips the gauge line joins.
+                    add(Way::Within, (from, page(foot)), Pen::solid(FINE), "gauge-line", String::new());
+                }
+                TransferInk::LineOfCentres { .. } => {
+                    add(Way::Within, (from, to), Pen::solid(FINE), "line-of-centres", String::new());
+                }
+                TransferInk::Radius { .. }
+                | TransferInk::Upright { .. }
+                | TransferInk::Parallel { .. }
+                | TransferInk::ToPole { .. } => {
+                    add(Way::Within, (from, to), Pen::solid(FINE), "construction", String::new());
+                }
+            }
+        }
+        points.extend(self.centres_used(circle, own));
+        let scales = own.first().filter(|_| has_arrows).map(|first| LayerScale {
+            dimension: Dimension::Velocity,
+            si_per_mm: first.si_per_mm,
+            follows: false,
         });
-        let strokes = strokes.collect();
-        let title = transfer::title(own, &self.notation).html();
-        Layer { figure: "transfer", title, strokes, points: Vec::new() }
+        let title = transfer::title(own, notation).html();
+        let scales = scales.into_iter().collect();
+        Layer { figure: "transfer", title, strokes, points, names, scales }
+    }
+
+    /// The centres by which velocities are carried over, with their names; those of one pin have one.
+    fn centres_used(&self, circle: &CircleDiagram, own: &[&Transfer]) -> Vec<LayerPoint> {
+        let mut used = transfer::used(own.iter().copied());
+        used.extend(transfer::poles_of_gauges(own, circle));
+        used.sort();
+        used.dedup();
+        let mut all: Vec<(Option<PointId>, Vec<[LinkId; 2]>)> = Vec::new();
+        for links in used {
+            let pin = match circle.centre(links).map(|centre| centre.found) {
+                Some(Found::Pin(point)) => Some(point),
+                Some(_) => None,
+                None => continue,
+            };
+            match all.iter_mut().find(|(other, _)| pin.is_some() && *other == pin) {
+                Some((_, same)) => same.push(links),
+                None => all.push((pin, vec![links])),
+            }
+        }
+        all.into_iter()
+            .map(|(pin, links)| {
+                let at = links.first().and_then(|links| on_paper(circle, *links));
+                let names: Vec<String> =
+                    links.iter().map(|own| circle::centre_name(*own, &self.notation)).collect();
+                let mut ink = Group::new("centre").data("centre", names.join(" "));
+                ink.mark(dot(Point::ORIGIN, 0.6).class("centre"));
+                let radius = if pin.is_some() { skeleton::PIN + 0.2 } else { 1.3 };
+                LayerPoint { at, name: Some(self.name_of_centres(&links, radius)), ink }
+            })
+            .collect()
     }
 
     fn auxiliary(&self, drawing: &crate::graphical::auxiliary::AuxiliaryDrawing) -> Layer {
@@ -443,9 +561,26 @@ impl<'a> Draughts<'a> {
             ink.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Ink).class("point"));
             LayerPoint { at: Some(page(point.at)), name: Some(name), ink }
         });
-        let title = auxiliary::title(&drawing.kind, &self.notation).html();
-        let figure = drawing.kind.figure();
-        Layer { figure, title, strokes: strokes.collect(), points: points.collect() }
+        let names = auxiliary::read_between(drawing).map(|(quantity, from, to)| {
+            let (at, site) = ([Some(from), Some(to)], Site::Along { from, to });
+            let text = self.notation.symbol(quantity, false);
+            let request = Request::new(text, SMALL, site, "label vector-name");
+            let request = request.naming(vec![self.notation.quantity_name(quantity)]);
+            LayerName { at, name: Name { request } }
+        });
+        let scales = auxiliary::scales(drawing).into_iter().map(|(dimension, si_per_mm)| LayerScale {
+            dimension,
+            si_per_mm,
+            follows: true,
+        });
+        Layer {
+            figure: drawing.kind.figure(),
+            title: auxiliary::title(&drawing.kind, &self.notation).html(),
+            strokes: strokes.collect(),
+            points: points.collect(),
+            names: names.collect(),
+            scales: scales.collect(),
+        }
     }
 
     /// The name of images that are always one point.
@@ -483,6 +618,20 @@ impl<'a> Draughts<'a> {
             dimension => self.notation.scale(si_per_mm, dimension),
         };
         Rich::fill(self.notation.words.scale, &[("scale", scale)]).html()
+    }
+
+    /// The scale of a skeleton with those of what is drawn over it, as hypertext.
+    #[must_use]
+    pub fn scales(&self, metres_per_mm: f64, over: &[LayerScale]) -> String {
+        let words = self.notation.words;
+        let one = |scale: &LayerScale| match scale.follows {
+            true => auxiliary::scale_that_follows(scale.si_per_mm, scale.dimension, &self.notation),
+            false => self.notation.scale(scale.si_per_mm, scale.dimension),
+        };
+        let skeleton = self.notation.length_scale(metres_per_mm);
+        let all = over.iter().fold(skeleton, |all, scale| all.aside(words.comma, &one(scale)));
+        // It breaks after a comma, and in no number.
+        Rich::fill(words.scale, &[("scale", all)]).html().replace('\u{2009}', "\u{202f}")
     }
 
     /// The scene's unit of what lengths of a diagram stand for.
@@ -576,6 +725,14 @@ impl<'a> Draughts<'a> {
             said
         })
         .collect()
+    }
+}
+
+/// Where a centre is on the page; nothing where it is at infinity.
+fn on_paper(circle: &CircleDiagram, links: [LinkId; 2]) -> Option<Point> {
+    match circle.centre(links).map(|centre| centre.place) {
+        Some(CentrePlace::At(at)) => Some(page(at)),
+        _ => None,
     }
 }
 

@@ -17,7 +17,7 @@ use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
 use super::positions;
 use super::rich::Rich;
-use super::slots::Slot;
+use super::slots::{Opening, Slot};
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Guide, Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
@@ -168,7 +168,7 @@ pub fn apart(
     construction: &Construction,
     notation: &Notation<'_>,
     births: &Births<'_>,
-) -> (Group, Vec<Request>) {
+) -> (Group, Vec<Request>, Vec<Opening>) {
     let mut group = Group::new("skeleton");
     // What moves keeps every point, wherever it lies.
     let mut artist = Artist { births: Some(births), far: Vec::new(), ..Artist::new(construction, notation) };
@@ -176,7 +176,8 @@ pub fn apart(
     let known = artist.known_rotations();
     artist.rotations(&mut group, known, true);
     artist.number_links();
-    (group, artist.labels)
+    let openings = artist.openings();
+    (group, artist.labels, openings)
 }
 
 /// The same with the lives of its ink.

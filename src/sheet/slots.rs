@@ -63,6 +63,19 @@ struct Tube {
     piston: bool,
 }
 
+/// The open end of a slot: beyond it the pin is free, and what is told of the link holds no more.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Opening {
+    /// The pin that runs in it.
+    pub pin: PointId,
+    /// About this pivot its link turns.
+    pub pivot: PointId,
+    /// That link.
+    pub link: LinkId,
+    /// The pin is in it as long as it is no farther from the pivot than this, mm of paper.
+    pub reach: f64,
+}
+
 /// A Geneva wheel as it lies on the paper, lengths in millimetres.
 #[derive(Debug, Clone, Copy)]
 struct Geneva {
@@ -418,6 +431,18 @@ impl Artist<'_> {
         let radius = base * libm::cos(half);
         let engaged = centre.distance(pin) <= radius + BARE;
         (fits && engaged).then_some(Geneva { centre, slots: slots as usize, base, crank, radius })
+    }
+
+    /// The pins that a slot lets go: how far from the pivot of the slot's link each may be.
+    pub(super) fn openings(&self) -> Vec<Opening> {
+        let slides = &self.notation.mechanism().slides;
+        let opening = |(index, slide): (usize, &Slide)| {
+            let wheel = self.geneva(index)?;
+            let (Rider::Pin { point, .. }, link) = (slide.rider, slide.guide.link) else { return None };
+            let pivot = *self.notation.mechanism().link(link).points.first()?;
+            Some(Opening { pin: point, pivot, link, reach: wheel.radius })
+        };
+        slides.iter().enumerate().filter_map(opening).collect()
     }
 
     /// The blocks and sliders: those on the frame, or those in moving guides.

@@ -325,6 +325,19 @@ pub(super) fn used<'a>(transfers: impl Iterator<Item = &'a Transfer>) -> Vec<[Li
     used
 }
 
+/// The poles from which gauge lines are drawn.
+pub(super) fn poles_of_gauges<'a>(
+    transfers: &'a [&Transfer],
+    circle: &'a CircleDiagram,
+) -> impl Iterator<Item = [LinkId; 2]> + 'a {
+    transfers.iter().flat_map(|t| &t.ink).filter_map(|ink| match ink {
+        TransferInk::Gauge { from: pole, .. } | TransferInk::Arc { centre: pole, .. } => {
+            pole_at(circle, *pole)
+        }
+        _ => None,
+    })
+}
+
 /// The centres that the transfer uses, by name; those of pins are marked by the pins.
 fn centres(
     transfers: &[&Transfer],
@@ -334,12 +347,7 @@ fn centres(
     overlay: &mut Overlay,
 ) {
     let used = used(transfers.iter().copied());
-    let poles = transfers.iter().flat_map(|t| &t.ink).filter_map(|ink| match ink {
-        TransferInk::Gauge { from: pole, .. } | TransferInk::Arc { centre: pole, .. } => {
-            pole_at(circle, *pole)
-        }
-        _ => None,
-    });
+    let poles = poles_of_gauges(transfers, circle);
     let mut used: Vec<[LinkId; 2]> = used.into_iter().chain(poles).collect();
     used.sort();
     used.dedup();
@@ -376,12 +384,29 @@ fn spot_name(spot: Spot, notation: &Notation<'_>) -> String {
     }
 }
 
+/// The velocity of a spot; that of a centre is no quantity of the scene.
+fn velocity_of(spot: Spot) -> Option<Quantity> {
+    match spot {
+        Spot::Point(p) => Some(Quantity::Velocity(p)),
+        Spot::Under(p, link) => Some(Quantity::CoincidentVelocity(p, link)),
+        Spot::Centre(_) => None,
+    }
+}
+
 /// V_B, V₂₄.
 fn spot_velocity(spot: Spot, notation: &Notation<'_>) -> Rich {
-    match spot {
-        Spot::Point(p) => notation.symbol(Quantity::Velocity(p), false),
-        Spot::Under(p, link) => notation.symbol(Quantity::CoincidentVelocity(p, link), false),
-        Spot::Centre(links) => Rich::italic("V").sub(&spot_name(Spot::Centre(links), notation)),
+    match velocity_of(spot) {
+        Some(quantity) => notation.symbol(quantity, false),
+        None => Rich::italic("V").sub(&spot_name(spot, notation)),
+    }
+}
+
+/// The name of an arrow, and the quantity that it is; other strokes have none.
+pub(super) fn name_of_arrow(stroke: &TransferInk, notation: &Notation<'_>) -> (Rich, Option<Quantity>) {
+    match *stroke {
+        TransferInk::Velocity { of, .. } => (spot_velocity(of, notation), velocity_of(of)),
+        TransferInk::Difference { of, .. } => (notation.symbol(of, false), Some(of)),
+        _ => (Rich::default(), None),
     }
 }
 

@@ -306,6 +306,130 @@ fn the_angle_of_a_second_input_stays_as_it_is() {
     assert_eq!(turned, 1, "only the angle that is varied opens with the input");
 }
 
+/// What a page of the scene holds; the reason why it stands still.
+fn data_of(scene: &Scene) -> Result<Value, String> {
+    let solved = solved(scene);
+    let live = Live::of_solved(scene, &solved, Over::Input, None).unwrap();
+    let (page, still) = live::page(scene, &solved, Ok(&live), &options(scene, Kind::Solution)).unwrap();
+    match still {
+        Some(why) => Err(why),
+        None => Ok(serde_json::from_str(between(&page, "id=\"linkgram-live\">", "</script>")).unwrap()),
+    }
+}
+
+/// The names of a panel, as the data of what they name call it.
+fn names_in(data: &Value, panel: usize) -> Vec<String> {
+    let labels = data["labels"].as_array().unwrap().iter().filter(|label| label["panel"] == panel);
+    let of = |label: &Value| {
+        label["of"].as_array().map(|of| of.iter().map(|name| name.as_str().unwrap().to_owned()).collect())
+    };
+    labels.filter_map(of).flat_map(|of: Vec<String>| of).collect()
+}
+
+/// A figure of a velocity carried over by centres, or of Klein's construction, is nothing without the names of its arrows and of
+/// its centres and without its scale of velocities.
+#[test]
+fn what_is_drawn_over_a_skeleton_has_its_names_and_its_scale() {
+    for (name, panel, wanted, scale) in [
+        (
+            "centres/whitworth",
+            2,
+            &["v(A)", "v(A@4)", "slip(A/4)", "v(C)", "(12)", "(14)", "(24)", "(26)"][..],
+            "100 mm/s",
+        ),
+        ("centres/four-bar", 4, &["v(A)", "v(B)", "(12)", "(13)"], "100 mm/s"),
+        ("centres/four-bar", 5, &["v(A)", "v(B)"], "100 mm/s"),
+        // ω₂ times 1 : 2 and ω₂² times 1 : 2, by hand.
+        (
+            "constructions/klein",
+            1,
+            &["v(B)", "v(B/A)", "a(B)", "a(B/A)", "at(B/A)"],
+            "628.32 mm/s\u{a0}≡\u{a0}1\u{a0}cm, 19\u{2009}739 mm/s²",
+        ),
+    ] {
+        let data = data_of(&common::example(name)).unwrap();
+        let names = names_in(&data, panel);
+        for own in wanted {
+            assert!(names.iter().any(|name| name == own), "{name}: no name {own} among {names:?}");
+        }
+        let told = data["texts"]["en"]["scales"][panel].as_str().unwrap().replace('\u{202f}', "\u{2009}");
+        let plain = |text: &str| text.replace('\u{a0}', " ");
+        assert!(plain(&told).contains(&plain(scale)), "{name}: {told}");
+        // Every arrow has the name that stands between its ends.
+        let labels = data["labels"].as_array().unwrap();
+        let ink = data["ink"].as_array().unwrap().iter();
+        for arrow in ink.filter(|ink| ink["panel"] == panel && ink["move"] == "arrow") {
+            let own = labels.iter().filter(|label| label["panel"] == panel);
+            let rounded = |at: &Value| {
+                let number =
+                    |x: &Value| x.as_f64().map_or_else(|| x.to_string(), |x| format!("{:.3}", x + 0.0));
+                let numbers =
+                    |all: &Value| all.as_array().unwrap().iter().map(number).collect::<Vec<_>>().join(" ");
+                format!("{} {}", at[0], numbers(&at[1])).replace("-0.000", "0.000")
+            };
+            let ends = |of: &Value| of.as_array().unwrap().iter().map(rounded).collect::<Vec<_>>();
+            let at = ends(&arrow["at"]);
+            // One that is only turned has the name of its tip.
+            let mut names = own.map(|label| ends(&label["anchors"]));
+            assert!(names.any(|anchors| anchors == at || anchors == at[1..]), "{name}: {at:?} has no name");
+        }
+    }
+}
+
+/// A rotation's name stands by its own arrow: each hangs on the number whose sense the arrow shows.
+#[test]
+fn every_curved_arrow_has_its_own_name() {
+    for name in ["constructions/klein", "s000-ch3a-1", "centres/four-bar"] {
+        let data = data_of(&common::example(name)).unwrap();
+        let (ink, labels) = (data["ink"].as_array().unwrap(), data["labels"].as_array().unwrap());
+        let mut arrows: Vec<(u64, String)> = ink
+            .iter()
+            .filter(|ink| ink["panel"] == 0 && ink["sense"].is_array())
+            .map(|ink| (ink["sense"][0].as_u64().unwrap(), ink["at"].to_string()))
+            .collect();
+        arrows.sort();
+        arrows.dedup();
+        let mut names: Vec<(u64, String)> = labels
+            .iter()
+            .filter(|label| label["panel"] == 0 && label["output"].is_u64())
+            .map(|label| (label["output"].as_u64().unwrap(), label["anchors"][0][0].to_string()))
+            .collect();
+        names.sort();
+        assert_eq!(arrows, names, "{name}");
+        assert!(arrows.len() > 1, "{name}");
+    }
+    // A crank that gathers speed has both, whatever is asked.
+    let data = data_of(&common::example("constructions/klein")).unwrap();
+    let named =
+        |wanted: &str| data["outputs"].as_array().unwrap().iter().any(|output| output["name"] == wanted);
+    assert!(named("omega(2)") && named("alpha(2)"));
+}
+
+/// Of wheels that `sweep` sweeps the page moves, with every name that the sheet has: no mark of how far one has rolled takes part.
+#[test]
+fn wheels_that_are_swept_move() {
+    let mut moved = 0;
+    for kind in linkgram::catalogue::KINDS {
+        let scene = common::read(kind.scene);
+        if scene.mechanism.rolls.is_empty() {
+            continue;
+        }
+        let solved = solved(&scene);
+        if Live::of_solved(&scene, &solved, Over::Input, None).is_err() {
+            continue;
+        }
+        let data = data_of(&scene).unwrap_or_else(|why| panic!("{}: {why}", kind.name));
+        let names = names_in(&data, 0);
+        for link in scene.mechanism.moving().filter(|link| !scene.mechanism.link(*link).block) {
+            let number = scene.mechanism.link(link).number.to_string();
+            assert!(names.contains(&number), "{}: link {number} has no number among {names:?}", kind.name);
+        }
+        assert!(!data.to_string().contains("the mark of link"), "{}", kind.name);
+        moved += 1;
+    }
+    assert!(moved >= 6, "only {moved} kinds with wheels move");
+}
+
 #[test]
 fn a_page_that_stands_still_says_why_and_not_where_its_scene_lies() {
     let scene = scene_of("rolling-wheel", "/home/author/exam/wheel.json");

@@ -40,11 +40,11 @@ function showDiagrams(page) {
     const [x0, y0, x1, y1] = panel.data.box, said = [];
     let arrows = '';
     for (const ink of panel.ink) {
-      if (ink.move !== 'vector' || !live.quantities[ink.quantity] || !ink.element.isShown) continue;
-      const [a, b] = ink.at.map((/** @type {number} */ i) => panel.now[i]);
-      if (!a || !b || (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1)) continue;
-      const d = minus(b, a), length = sizeOf(d), name = lineText(page.symbolOf(ink.quantity));
-      said.push(filled(page.words.beyond, { name, length: `${plainText(withPower(length))}\u00a0mm` }));
+      if (!ink.ends || !ink.element.isShown) continue;
+      const [a, b] = ink.ends;
+      if (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1) continue;
+      const d = minus(b, a), length = sizeOf(d), name = ink.quantity || ink.element.dataset.of;
+      if (live.quantities[name]) said.push(filled(page.words.beyond, { name: lineText(page.symbolOf(name)), length: `${plainText(withPower(length))}\u00a0mm` }));
       const ends = [d.x > 0 ? (x1 - a.x) / d.x : (x0 - a.x) / d.x, d.y > 0 ? (y1 - a.y) / d.y : (y0 - a.y) / d.y];
       const part = Math.min(...ends.filter((end) => end > 0)), u = { x: d.x / length, y: d.y / length };
       if (part < 1) arrows += [0, -2.5].map((by) => headOf(plus(plus(a, d, part), u, by), u, 2.5)).join(' ');
@@ -89,7 +89,7 @@ function showDiagrams(page) {
         }
         const { no_room: names, no_room_one: name, not_moving: strokes, not_moving_one: stroke } = page.words;
         const still = page.isOwn ? 0 : data.still;
-        setText(own.beyond, [data.polygon ? beyond(panel) : said(still, strokes, stroke), said(panel.crowded, names, name)].filter(Boolean).join(' · '));
+        setText(own.beyond, [panel.outOfSlots?.(page.words), beyond(panel), said(still, strokes, stroke), said(panel.crowded, names, name)].filter(Boolean).join(' · '));
       }
     },
     speak() {

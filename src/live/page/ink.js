@@ -50,6 +50,11 @@ function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
   if (!a) return null;
   if (kind === 1) return { o: a, x: { x: 1, y: 0 } };
   if (kind >= 4) {
+    // Where one vector carries a point, turned and stretched with another.
+    if (kind === 6) {
+      const o = globalOf([5, i, j], frame.slice(3, 5), seen), other = axesOf([5, i, frame[5]], seen);
+      return o && other && { o, x: other.x };
+    }
     // Turned to an angle, or turned and stretched with a vector: both are outputs.
     const p = seen.outputs[j], q = seen.outputs[j + 1];
     if (p === null || (kind === 5 && q === null)) return null;
@@ -134,6 +139,7 @@ class Panel {
     this.index = index;
     this.data = live.panels[index];
     this.quantities = live.quantities;
+    this.events = live.course.events;
     this.siPerMm = this.data.si_per_mm;
     this.svg = /** @type {SVGSVGElement} */ (document.getElementById(`panel${index}`));
     /** @type {any[]} */
@@ -202,6 +208,7 @@ class Panel {
   show(/** @type {(number | null)[]} */ outputs, /** @type {number} */ at, /** @type {number} */ step, /** @type {boolean} */ own, /** @type {boolean} */ rests) {
     const seen = this.seen(outputs);
     this.now = seen;
+    this.at = at;
     this.rests = rests;
     for (const ink of this.ink) {
       const wanted = this.senseHolds(ink, outputs) && (ink.step === undefined || ink.step <= step) && (ink.move !== 'still' || own);
@@ -263,7 +270,7 @@ class Panel {
         ink.element.setAttribute('transform', `translate(${pair(minus(at, ink.home))})`);
         return true;
       }
-      case 'turn': return this.moveTurn(ink, seen[ink.at[0]]);
+      case 'turn': return this.moveTurn(ink, seen[ink.at[0]], seen.outputs[ink.at[2]] ?? this.angle);
       default: return true;
     }
   }
@@ -285,6 +292,7 @@ class Panel {
   /** @param {any} ink @param {any} a @param {any} b */
   moveVector(ink, a, b) {
     if (!a || !b) return false;
+    ink.ends = [a, b];
     const d = minus(b, a), length = sizeOf(d);
     const short = length < 1;
     visible(ink.dot, short);
@@ -302,11 +310,11 @@ class Panel {
     return true;
   }
 
-  /** An arc from the right to the angle that is varied. @param {any} ink @param {any} centre */
-  moveTurn(ink, centre) {
-    if (!centre || this.angle === undefined) return false;
-    const radius = ink.at[1];
-    const turn = this.angle - 2 * Math.PI * Math.trunc(this.angle / (2 * Math.PI));
+  /** An arc from the right to the angle that is varied, or of a link that goes with the time: once round at most. */
+  moveTurn(/** @type {any} */ ink, /** @type {any} */ centre, /** @type {number | undefined} */ angle) {
+    if (!centre || angle === undefined) return false;
+    const [, radius, of] = ink.at, whole = 2 * Math.PI;
+    const turn = angle - whole * (of ? Math.floor(angle / whole) : Math.trunc(angle / whole));
     if (Math.abs(turn) * radius < 1.5) return false;
     const { paths } = ink;
     const size = Math.min(2.25, radius * Math.abs(turn) / 2), span = size / radius, sign = Math.sign(turn);
@@ -331,14 +339,21 @@ class Panel {
     /** Names that stand: middle and half sizes. @type {number[][]} */
     const stand = [];
     this.crowded = 0;
+    /** Names of what lies beyond the panel. @type {any[]} */
+    const far = [];
     for (const label of this.labels) {
-      const { anchors: [one, two], by, element, tie, half: [wide, high] } = label;
+      const { anchors: [one, two], by, element, tie, half: [wide, high] } = label, isArrow = two && (polygon || label.arrow);
       let a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
       // Next to a limit a vector is metres long: its name stands by what is seen of it.
-      if (two && polygon && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
+      if (isArrow && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
       let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || outputs[label.output])
-        && (two ? !polygon || sizeOf(minus(b, a)) >= 1 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1);
+        && (two ? !isArrow || sizeOf(minus(b, a)) >= 1 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1);
       label.spot = null;
+      if (!shown && !two && this.placeFar) {
+        visible(tie, false);
+        far.push([label, a]);
+        continue;
+      }
       if (shown) {
         const middle = two ? plus(a, minus(b, a), 0.5) : a;
         const off = (/** @type {number} */ axis) => (by[2 * low + axis] * (1 - part) + by[2 * next + axis] * part) / 10;
@@ -354,12 +369,14 @@ class Panel {
         } else this.crowded += 1;
       }
       visible(element, Boolean(shown));
+      if (label.far) visible(label.far, false);
       // In what is given away, names of points are tied wherever they do not stand beside them.
       const path = label.spot && tieOf(label, this.tells && label.point ? 1 : ties ? 2.6 : Infinity);
       visible(tie, Boolean(path));
       if (path && path !== label.path) setPath(tie, path);
       label.path = path;
     }
+    for (const [label, point] of far) this.placeFar(label, point, stand);
   }
 }
 

@@ -4,11 +4,11 @@
 function plays(page) {
   const { track, span, variable, live, calm } = page;
   const button = page.button({ id: 'play' }, '', play), pace = make('span', { dir: 'auto' });
-  const field = make('input', { type: 'number', min: '1', max: '120', value: String(live.seconds), class: 'number', dir: 'ltr' });
+  const field = make('input', { inputmode: 'decimal', value: String(live.seconds), class: 'number', dir: 'ltr' });
   // As the mechanism turns in truth.
   let way = variable.rate < 0 ? -1 : 1, before = 0, sum = 0, told = 0;
 
-  const seconds = () => Math.max(1, Number(field.value) || live.seconds);
+  const seconds = () => Math.min(120, Math.max(1, typed(field.value) || live.seconds));
 
   function halt() {
     if (!page.playing) return;
