@@ -1236,6 +1236,25 @@ fn magnitudes_have_extremes() {
     }
 }
 
+/// A size whose slope leaps where it is zero has its least there: of a centric slider-crank at constant speed the rod's
+/// inclination is odd about both dead points, so that it has no angular acceleration there, and its inertia force passes
+/// through its mass centre.
+#[test]
+fn a_distance_that_falls_to_zero_has_its_least_there() {
+    let text = r#"{ "units": { "length": "cm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 10 }, "3": { "joins": ["A", "G", "B"], "line": [0, 12, 30] } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 0], "angle": 0 } } ],
+        "near": { "B": [30, 0] }, "input": { "link": 2, "angle": 20, "omega": 10 },
+        "masses": { "3": { "mass": 2, "at": "G", "inertia": 0.02 } }, "find": ["h(3)"] }"#;
+    let sweep = Sweep::new(&common::read(text).mechanism, None).unwrap();
+    let least = |event: &&linkgram::sweep::Event| matches!(event.kind, EventKind::Least { value: 0.0, .. });
+    let least: Vec<f64> = sweep.events.iter().filter(least).map(|event| event.at).collect();
+    assert_eq!(least.len(), 2, "{:?}", sweep.events);
+    for at in least {
+        assert!(libm::sin(at).abs() < 1e-9, "{at}");
+    }
+}
+
 // --- the sweep checks itself ---------------------------------------------------------------------------------
 
 /// The independent solver confirms every example and every kind of the catalogue; a number under a wrong name is found.

@@ -734,8 +734,11 @@ impl Walker<'_> {
             let ascending = now.at > before.at;
             // Where the walk begins on the extreme itself its slope is zero: what comes after tells which it is.
             let beyond = (a.slope < 0.0) != ascending;
-            // Where a slope jumps, or passes through infinity, nothing is extreme.
-            let vanishes = there.slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
+            // A size that falls to zero and rises again has its least there, though its slope jumps.
+            let touches = !beyond && a.value > 0.0 && b.value > 0.0 && !is_clear(there);
+            let value = if touches { 0.0 } else { value };
+            // Where a slope jumps otherwise, or passes through infinity, nothing is extreme.
+            let vanishes = touches || there.slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
             // What it rises or falls by on both sides may be rounding.
             let differs = |m: Dual| (there.value - m.value).abs() > there.error + m.error;
             if value.is_finite() && vanishes && (differs(a) || differs(b)) && is_clear_there {
