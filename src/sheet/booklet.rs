@@ -57,8 +57,30 @@ const PAPER: (f64, f64) = (210.0, 297.0);
 const MARGIN: f64 = 20.0;
 /// From one box to the next.
 const ROW: f64 = 13.0;
+/// From one line of the title to the next.
+const TITLE_LINE: f64 = 7.0;
 /// A box to write in.
 const BOX: (f64, f64) = (55.0, 9.0);
+
+/// What is written on each page of so many rows: the magnitude of a vector and its direction stand on one.
+fn by_pages<'n, 'a>(
+    numbers: &'n [(&'a Asked, Part, String)],
+    rows: usize,
+) -> Vec<&'n [(&'a Asked, Part, String)]> {
+    let mut pages = Vec::new();
+    let (mut from, mut to) = (0, 0);
+    for group in numbers.chunk_by(|one, next| one.0 == next.0) {
+        if to > from && to - from + group.len() > rows {
+            pages.push(&numbers[from..to]);
+            from = to;
+        }
+        to += group.len();
+    }
+    if to > from {
+        pages.push(&numbers[from..to]);
+    }
+    pages
+}
 
 /// A sheet with a box for the name, one for the variant, and one for every number that is asked, with its unit; to be
 /// typed into a table that `grade` reads.
@@ -67,7 +89,6 @@ pub fn answer_form(scene: &Scene, numbers: &[(&Asked, Part, String)], language: 
     let words = language.words();
     let notation = Notation::new(scene, words);
     let right_to_left = words.right_to_left;
-    let rows_on_page = ((PAPER.1 - 2.0 * MARGIN - 50.0) / ROW).floor().max(1.0) as usize;
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned();
     // A line of Arabic script begins on the right.
     let write = |page: &mut Group, text: &Rich, x: f64, y: f64, size: f64, class: &'static str| {
@@ -82,14 +103,17 @@ pub fn answer_form(scene: &Scene, numbers: &[(&Asked, Part, String)], language: 
         page.mark(Mark::stroke(shape, Pen::solid(THIN)).class("answer-box"));
     };
     let mut root = Group::new("form");
-    let chunks: Vec<&[(&Asked, Part, String)]> = numbers.chunks(rows_on_page).collect();
+    let lines = Rich::bold(&title).wrap(5.0, PAPER.0 - 2.0 * MARGIN);
+    let head = MARGIN + TITLE_LINE * lines.len() as f64 + 2.5 * ROW;
+    let rows = ((PAPER.1 - MARGIN - BOX.1 - head) / ROW).floor().max(0.0) as usize + 1;
+    let chunks = by_pages(numbers, rows);
     let count = chunks.len().max(1);
     for (index, chunk) in chunks.into_iter().enumerate() {
         let mut page = Group::new("page");
         let mut y = MARGIN;
-        for line in Rich::bold(&title).wrap(5.0, PAPER.0 - 2.0 * MARGIN) {
-            write(&mut page, &line, MARGIN, y, 5.0, "title");
-            y += 7.0;
+        for line in &lines {
+            write(&mut page, line, MARGIN, y, 5.0, "title");
+            y += TITLE_LINE;
         }
         for (word, width) in [(words.form_name, 110.0), (words.form_variant, BOX.0)] {
             write(&mut page, &Rich::upright(word), MARGIN, y + 6.0, LABEL, "caption");
