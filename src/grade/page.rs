@@ -8,6 +8,7 @@ use super::phrase::{Phrase, say};
 use super::report::Report;
 use super::text::{marks, sentence};
 
+/// On paper the figure takes what the rest leaves of one sheet.
 const STYLE: &str = "\
 @page{size:A4;margin:15mm}\
 body{font:11pt/1.35 Georgia,'Times New Roman',serif;max-width:180mm;margin:1em auto;color:#111}\
@@ -28,7 +29,17 @@ p.sum{font-weight:bold;text-align:end;margin:.4em 0 1em}\
 ol{padding-inline-start:1.2em}\
 figure{direction:ltr;margin:1em 0;break-inside:avoid}\
 figure svg{max-width:100%;height:auto;max-height:150mm}\
-small{color:#444}";
+small{color:#444}\
+@media print{\
+body{margin:0;max-width:none;display:flex;flex-direction:column;height:266mm;font-size:10pt;line-height:1.25}\
+table{font-size:9pt}\
+p.who{margin:.1em 0 .4em}\
+p.sum{margin:.2em 0 .4em}\
+ol{margin:.2em 0}\
+th,td{padding-block:.1em}\
+figure{flex:1 1 0;min-height:90mm;margin:.3em 0}\
+figure svg{display:block;width:100%;height:100%;max-height:none}\
+small{display:block;font-size:7.5pt;line-height:1.15}}";
 
 /// Units as people write them.
 fn unit(text: &str) -> String {
@@ -87,7 +98,7 @@ impl Report {
             escaped(who),
         );
         for note in self.notes() {
-            let _ = writeln!(page, "<p>{}</p>", escaped(&note.told(self.language)));
+            let _ = writeln!(page, "<p>{}</p>", unit(&escaped(&note.told(self.language))));
         }
         page.push_str("<table>\n<tr>");
         for head in [say!("asked"), say!("yours"), say!("right"), say!("verdict")] {
