@@ -86,6 +86,7 @@ mod sweep_assemblies;
 mod sweep_trials;
 mod tapes;
 mod the_drawing_is_the_computation;
+mod third_examiner;
 mod told;
 mod two_faults;
 

@@ -794,6 +794,41 @@ fn mistakes_of_forces_are_named() {
     assert!(10 * fit >= 9 * all && all > 60, "{fit} of {all}\n{}", told(&named));
 }
 
+/// Of what leads to the same numbers that which is forgotten more often is named first; and a mass used as a weight, by
+/// which every inertia force is small, costs one mark.
+#[test]
+fn what_is_forgotten_comes_first_and_small_forces_follow() {
+    let mut named = Confusion::new();
+    for seed in 0..4 {
+        let mut slips = Dice(seed * 37 + 11);
+        let mut slip = || slips.between(-SLIP, SLIP);
+        let mistake = Mistake::OutOfMoments;
+        let bars = FourBar::new(&mut Dice(seed * 631 + 17 * mistake as u64 + 3));
+        Planted {
+            name: mistake.of_four_bar(),
+            kind: mistake.name(),
+            scene: bars.scene(),
+            right: bars.answers(Mistake::None, &mut || 0.0),
+            own: bars.answers(mistake, &mut || 0.0),
+            written: bars.answers(mistake, &mut slip),
+        }
+        .count(seed, &mut named);
+        let mistake = Mistake::MassAsWeight;
+        let crank = SliderCrank::new(&mut Dice(seed * 977 + 13 * mistake as u64 + 5), mistake);
+        let own = crank.answers(mistake, &mut || 0.0);
+        Planted {
+            name: mistake.told(),
+            kind: mistake.name(),
+            scene: crank.scene(),
+            right: crank.answers(Mistake::None, &mut || 0.0),
+            own: own.clone(),
+            written: own,
+        }
+        .count(seed, &mut named);
+    }
+    assert!(named.values().all(|(fit, all, _)| fit == all && *all > 2), "{}", told(&named));
+}
+
 #[test]
 #[ignore = "takes a while"]
 fn confusion_of_forces() {

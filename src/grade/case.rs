@@ -114,6 +114,9 @@ pub(super) struct Case<'s> {
     pub(super) pivots: Vec<(PointId, [f64; 2])>,
     /// How many times larger than at the sheet's scale the skeleton was drawn as a whole, where that is not 1.
     pub(super) enlarged: Option<f64>,
+    /// The scales of the polygons of which lengths were measured and none was stated, as these lengths tell them; SI units
+    /// per millimetre.
+    pub(super) own_scales: Vec<(Order, f64)>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
     /// Whether the answers state tolerances that do not count.
@@ -307,6 +310,7 @@ impl<'s> Case<'s> {
             named: RefCell::default(),
             pivots: Vec::new(),
             enlarged: None,
+            own_scales: Vec::new(),
             by_parts: settings.by_parts,
             tolerances_ignored: !settings.trusts_answers && answers.state_tolerances(),
             unread: Vec::new(),
@@ -314,6 +318,15 @@ impl<'s> Case<'s> {
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
+        let own = case.scales_of_lengths(answers);
+        if !own.is_empty() {
+            let mut at_own = answers.clone();
+            own.iter().for_each(|(order, si_per_mm)| at_own.scales.tell(*order, Some(*si_per_mm)));
+            let mut case = Self::new(scene, &at_own, settings)?;
+            case.unread.splice(0..0, unread);
+            case.own_scales = own;
+            return Ok(case);
+        }
         let figures = answers.figures.iter().map(|figure| case.found(answers, figure, &mut unread));
         let mut figures: Vec<Found<'_>> = figures.collect();
         case.take_to_scale(&mut figures);
@@ -388,6 +401,51 @@ impl<'s> Case<'s> {
                 });
             }
         }
+    }
+
+    /// The scale of each polygon for which the student states none and of which he measured several lengths, where these
+    /// are all as many times too long, or but a few: it was drawn so.
+    fn scales_of_lengths(&self, answers: &Answers) -> Vec<(Order, f64)> {
+        let seen = self.seen(&self.right, &Change::default());
+        let of = |order: Order| {
+            let figure = answers.figures.iter().any(|figure| figure.order == order);
+            if figure || self.stated.of(order.dimension()).is_some() {
+                return None;
+            }
+            let mut times: Vec<f64> = Vec::new();
+            let mut told: Vec<f64> = Vec::new();
+            for (observation, seen) in self.observations.iter().zip(&seen) {
+                let Some(right) = seen.as_deref().map(size).filter(|right| *right > 0.0) else { continue };
+                let Some(quantity) = observation.quantity.filter(|of| of.order() == order) else { continue };
+                let given = match observation.given {
+                    Given::Magnitude(given) | Given::Drawn(given) | Given::Signed(given) => given.abs(),
+                    Given::Vector(given) => size(&given),
+                };
+                let on_paper = right / self.si_per_mm(order) > MEASURED;
+                match observation.on_paper && Which::Vectors(order).includes(&quantity) {
+                    true if on_paper => times.push(given / right),
+                    true => {}
+                    false => told.push(given / right),
+                }
+            }
+            times.sort_by(f64::total_cmp);
+            let factor = *times.get(times.len() / 2)?;
+            let alike = |factor: f64| move |own: &&f64| (*own / factor - 1.0).abs() <= ONE_SCALE;
+            let agreeing: Vec<f64> = times.iter().filter(alike(factor)).copied().collect();
+            let at_the_sheets = times.iter().filter(alike(1.0)).count();
+            // What is calculated, and as many times too large, shows that it is no scale.
+            let faster = told.iter().any(|own| alike(factor)(&own));
+            let is_own = factor > 0.0
+                && (factor - 1.0).abs() > ONE_SCALE
+                && agreeing.len() >= 2
+                && 3 * agreeing.len() >= 2 * times.len()
+                && agreeing.len() > at_the_sheets
+                && !faster;
+            #[expect(clippy::cast_precision_loss, reason = "answers are few")]
+            let mean = agreeing.iter().sum::<f64>() / agreeing.len().max(1) as f64;
+            is_own.then(|| (order, self.si_per_mm(order) / mean))
+        };
+        [Order::Velocity, Order::Acceleration].into_iter().filter_map(of).collect()
     }
 
     /// A quantity as a scene names it; the report tells what it is called on the sheet.
@@ -834,7 +892,8 @@ impl<'s> Case<'s> {
         self.scales.of(order.dimension())
     }
 
-    fn unit_of(&self, order: Order) -> Unit {
+    /// The unit of the vectors of a polygon.
+    pub(super) fn unit_of(&self, order: Order) -> Unit {
         let units = &self.scene.units;
         let (length, time) = (&units.length, &units.time);
         match order {
@@ -1099,10 +1158,14 @@ impl<'s> Case<'s> {
     }
 
     fn misread(&self, observation: &Observation, reading: Misreading, numbers: &mut [f64]) {
-        if let (Target::Image(order, _), Misreading::Enlarged { order: of, factor }) =
-            (observation.target, reading)
-        {
-            if of == order {
+        if let Misreading::Enlarged { order, factor } = reading {
+            let on_paper =
+                |quantity: &Quantity| observation.on_paper && Which::Vectors(order).includes(quantity);
+            let enlarged = match observation.target {
+                Target::Image(of, _) => of == order,
+                _ => observation.quantity.as_ref().is_some_and(on_paper),
+            };
+            if enlarged {
                 numbers.iter_mut().for_each(|n| *n *= factor);
             }
             return;
@@ -1266,6 +1329,19 @@ impl<'s> Case<'s> {
             (alike && own != first).then_some((quantity, own / first))
         };
         vectors().filter_map(odd).collect()
+    }
+
+    /// Whether a quantity is answered in revolutions a minute.
+    pub(super) fn is_in_turns_a_minute(&self, quantity: &Quantity) -> bool {
+        let unit = PI / 30.0;
+        let mut answers = self.observations.iter().filter(|one| one.quantity.as_ref() == Some(quantity));
+        answers.any(|one| (one.unit.si / unit - 1.0).abs() < ROUNDING)
+    }
+
+    /// How many millimetres of paper one unit of the answer of a quantity is long; 1 where it is not answered.
+    pub(super) fn answer_on_paper(&self, quantity: &Quantity) -> f64 {
+        let own = self.observations.iter().find(|one| one.quantity.as_ref() == Some(quantity));
+        own.map_or(1.0, |own| own.unit.si / self.si_of(quantity))
     }
 
     /// Whether an answer tells a vector with its direction.
@@ -1736,6 +1812,11 @@ fn on_a_sheet<'a>(own: &Solved, answers: &'a Answers) -> (Cow<'a, Answers>, Vec<
 
 /// Nobody sees a drawing that is smaller (mm).
 const UNSEEN: f64 = 1e-6;
+
+/// What is shorter than this on paper (mm) does not tell a scale.
+const MEASURED: f64 = 4.0;
+/// Lengths that are too long by factors that differ by no more than this part are of one scale.
+const ONE_SCALE: f64 = 0.04;
 
 /// Two points of the right solution that lie nearer to each other (mm) may have one mark.
 const ONE_POINT: f64 = 1.0;

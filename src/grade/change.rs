@@ -82,7 +82,7 @@ pub(super) enum Misreading {
     ScaledTwice { of: Which, factor: f64 },
     /// A number of the turning-moment diagram was calculated with so many times the angular velocity, it alone.
     RateIn { of: Quantity, omega: f64 },
-    /// The points of a figure are multiplied.
+    /// The points of a figure, and the lengths that were measured on it, are multiplied.
     Enlarged { order: Order, factor: f64 },
     /// The points of a figure are turned about its pole, radians.
     Turned { order: Order, by: f64 },
@@ -176,6 +176,25 @@ impl Change {
     /// Whether anything is drawn otherwise.
     pub(super) fn redraws(&self) -> bool {
         !(self.inputs.is_empty() && self.departures.is_empty() && self.strays.is_empty())
+    }
+
+    /// Whether a polygon is drawn otherwise, or something is read off it or calculated from it otherwise on the way.
+    pub(super) fn departs_in(&self, order: Order) -> bool {
+        let departs = |departure: &Departure| match departure {
+            Departure::LaidOff { quantity, .. } | Departure::Read { quantity, .. } => {
+                quantity.order() == order
+            }
+            Departure::Ray { order: of, .. }
+            | Departure::ReadAll { order: of, .. }
+            | Departure::Rate { order: of, .. }
+            | Departure::RateIs { order: of, .. }
+            | Departure::Image { order: of, .. }
+            | Departure::Under { order: of, .. }
+            | Departure::Mirrored { order: of, .. }
+            | Departure::Backwards { order: of, .. } => *of == order,
+            _ => false,
+        };
+        self.departures.iter().any(departs) || self.strays.iter().any(|stray| stray.order == order)
     }
 
     /// The mechanism that was solved.

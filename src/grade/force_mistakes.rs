@@ -2,11 +2,12 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::case::polygon;
 use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
 use super::phrase::{Phrase, say};
-use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
+use crate::graphical::construction::{About, Acting, ForceSheet, Label, MomentBalance, Turning};
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::curve::Curve;
 use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
@@ -14,7 +15,7 @@ use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Pointing, Share, Size,
 };
 use crate::mechanism::friction::{FrictionCircle, RubbingPair};
-use crate::mechanism::quantity::Quantity;
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId, Slide};
 
 /// An arm that differs from the distance of the pin by less than this part is that distance.
@@ -46,6 +47,7 @@ impl List<'_, '_> {
         self.torques(sheet);
         self.offsets_inverted();
         self.guides(sheet);
+        self.square_parts(sheet);
         self.friction();
         self.shares();
         self.shaking(sheet);
@@ -88,6 +90,13 @@ impl List<'_, '_> {
             // With the couple on the side on which it should be of the force that should be.
             let with_couple = vec![back, Departure::Offset { link, factor: -1.0 }];
             self.add(Kind::InertiaAlongAcceleration, &at, None, price + 0.5, Change::drawn(with_couple));
+            // With its torque along α, on the side on which it should be.
+            let with_torque = vec![back, Departure::InertiaTorque { link, factor: -1.0 }];
+            let how = (Kind::InertiaAlongAcceleration, say!("with its couple"));
+            self.add_so(how, &at, None, price + 0.25, Change::drawn(with_torque));
+        }
+        for mass in masses.iter().filter(moves) {
+            self.acceleration_of_another(mass);
         }
         let turns = |mass: &&crate::mechanism::force::Mass| mass.inertia != Inertia::Point;
         let links: Vec<Option<LinkId>> =
@@ -113,6 +122,28 @@ impl List<'_, '_> {
         }
         for mass in masses.iter().filter(turns) {
             self.inertia_torque(mass, sheet);
+        }
+    }
+
+    /// M·A with the acceleration of another point of the link than its mass centre.
+    fn acceleration_of_another(&mut self, mass: &Mass) {
+        let Some(polygon) = polygon(self.construction, Order::Acceleration) else { return };
+        let image = |point: PointId| {
+            let label = Label::Image { point, link: None };
+            polygon.images.iter().rev().find(|image| image.label == label).map(|image| image.at)
+        };
+        let Some([x, y]) = image(mass.centre) else { return };
+        let own = libm::hypot(x, y);
+        let name = self.force_name(Force::Vector(Action::Inertia(mass.link)));
+        for point in self.case.mechanism.link(mass.link).points.clone() {
+            let Some([u, v]) = image(point).filter(|_| point != mass.centre) else { continue };
+            let turn = libm::atan2(x * v - y * u, x * u + y * v);
+            let twist = Twist { factor: libm::hypot(u, v) / own, turn };
+            if twist.factor.is_finite() && twist.factor > 0.0 {
+                let force = Departure::InertiaForce { link: Some(mass.link), twist };
+                let how = say!("with the acceleration of {}", self.case.mechanism.point(point).name);
+                self.add_so((Kind::WrongFormula, how), &name, None, 0.75, Change::drawn(vec![force]));
+            }
         }
     }
 
@@ -257,14 +288,23 @@ impl List<'_, '_> {
 
     /// A load laid off at another point of its link than its own.
     fn loads_elsewhere(&mut self, sheet: &ForceSheet) {
-        for Standing { link, acting, .. } in self.standing(sheet) {
+        let standing = self.standing(sheet);
+        let left_out = left_out_of_moments(standing.len());
+        for Standing { link, acting, balance } in standing {
             if !matches!(acting.action, Action::Load(_)) || acting.force == [0.0; 2] {
                 continue;
             }
             let points = self.case.mechanism.link(link).points.clone();
             let price = 0.5 + one_of(points.len()) / 4.0;
+            let about = balance.and_then(|balance| self.place_of(balance.about));
             for point in points {
                 let Some(at) = self.place(point) else { continue };
+                // Where moments are taken it has none: whoever has none forgot it there more often.
+                let is_about = about.is_some_and(|[x, y]| {
+                    libm::hypot(at[0] - x, at[1] - y)
+                        <= SAME_ARM * libm::hypot(at[0] - acting.at[0], at[1] - acting.at[1])
+                });
+                let price = if is_about { price.max(left_out + 0.25) } else { price };
                 let [x, y] = [at[0] - acting.through[0], at[1] - acting.through[1]];
                 let couple = x * acting.force[1] - y * acting.force[0];
                 let arm = libm::hypot(acting.at[0] - at[0], acting.at[1] - at[1]);
@@ -405,7 +445,7 @@ impl List<'_, '_> {
     /// A force that somebody forgot: everywhere, in the polygon, or in the moments.
     fn left_out(&mut self, sheet: &ForceSheet) {
         let standing = self.standing(sheet);
-        let price = 0.5 + one_of(standing.len()) / 4.0;
+        let price = left_out_of_moments(standing.len()) - 0.5;
         for Standing { link, acting, balance } in standing {
             let known = acting.known == crate::graphical::construction::Knowledge::Full;
             if !known || acting.force == [0.0; 2] {
@@ -627,6 +667,36 @@ impl List<'_, '_> {
 
     // --- guides and friction -------------------------------------------------------------------
 
+    /// The force of a rough guide as if it were smooth, where only it is handed in so: its part square to the guide.
+    fn square_parts(&mut self, sheet: &ForceSheet) {
+        let mechanism = &self.case.mechanism;
+        for guide in super::misread::Guideway::all(mechanism) {
+            let rough = mechanism.forces.friction.slides.iter().any(|rubbing| rubbing.slide == guide.slide);
+            let Party::Link(rider) = mechanism.party_of(&mechanism.slides[guide.slide].rider) else {
+                continue;
+            };
+            let action = Action::Pair { by: LinkId::FRAME, on: rider };
+            let of_pair = |of: &Quantity| match *of {
+                Quantity::Force(Force::Vector(own), Share::Total) => same(own, action),
+                _ => false,
+            };
+            let all = sheet.bodies.iter().flat_map(|body| &body.acting);
+            let right = all.into_iter().find(|acting| same(acting.action, action)).map(|acting| acting.force);
+            let asked = self.observed().into_iter().find(of_pair);
+            let (Some([x, y]), Some(quantity), true) = (right, asked, rough) else { continue };
+            let square = [-guide.along[1], guide.along[0]];
+            let part = x * square[0] + y * square[1];
+            let [u, v] = square.map(|of| of * part);
+            let turn = libm::atan2(x * v - y * u, x * u + y * v);
+            let twist = Twist { factor: part.abs() / libm::hypot(x, y), turn };
+            if twist.factor.is_finite() && twist.factor > 0.0 {
+                let name = self.name(&quantity);
+                let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+                self.add(Kind::FrictionLeftOut, &name, None, 0.25, read);
+            }
+        }
+    }
+
     /// The force of a guide along another line than square to it.
     fn guides(&mut self, sheet: &ForceSheet) {
         let mechanism = &self.case.mechanism;
@@ -739,12 +809,16 @@ impl List<'_, '_> {
 
     fn shares(&mut self) {
         let forces = &self.case.mechanism.forces;
-        let at_rest = !forces.loads.is_empty() || !forces.springs.is_empty() || forces.gravity.acts;
+        let besides_weights = !forces.loads.is_empty() || !forces.springs.is_empty();
+        let at_rest = besides_weights || forces.gravity.acts;
         if forces.masses.is_empty() || !at_rest {
             return;
         }
         let only = |share| Change::drawn(vec![Departure::OnlyShare(share)]);
-        self.add(Kind::StaticLeftOut, say!("the whole"), None, PLAIN, only(Share::Inertia));
+        // Weights alone have a name of their own.
+        if besides_weights {
+            self.add(Kind::StaticLeftOut, say!("the whole"), None, PLAIN, only(Share::Inertia));
+        }
         self.add(Kind::InertiaLeftOut, say!("the whole"), None, 0.5, only(Share::Static));
     }
 
@@ -1024,6 +1098,11 @@ impl List<'_, '_> {
             }
         }
     }
+}
+
+/// What it costs that one of so many forces was left out of moments.
+fn left_out_of_moments(forces: usize) -> f64 {
+    1.0 + one_of(forces) / 4.0
 }
 
 /// Whether a number of a turning-moment diagram is an area of it, or a part of one.

@@ -137,6 +137,12 @@ const FORGOTTEN: f64 = 0.05;
 /// How much nearer a mistake is that is made at the answer that shows it.
 const AT_HAND: f64 = 0.25;
 
+/// By no more than this the answers speak for one of two explanations, as the squares of misses are counted: they do not
+/// decide between them.
+const UNDECIDED: f64 = 0.5;
+/// What comes as near to answers misses them by no more than this beyond, root of the mean square in tolerances.
+const AS_CLOSE: f64 = 0.1;
+
 /// How much a miss, in tolerances, counts.
 fn square(miss: f64) -> f64 {
     (USUAL * miss) * (USUAL * miss)
@@ -224,10 +230,15 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
             let usual = case.rooms[index].of_size(size(numbers), case.right_size(index));
             let allowed = rooms[index].or(usual).times(EXPLAINED).and(most);
             let allowed = if lost { allowed.times(STRICT) } else { allowed };
-            // That something is nothing shows nothing, but of what is left out by whoever has something else right.
-            let tells = match case.hands_in_nothing(index) {
-                true => shown && case.is_zero(index) && faults.last().is_some_and(Fault::leaves_out),
-                false => case.tells(index, numbers, allowed),
+            // That something is nothing shows nothing, but of what is left out by whoever has something else right; and a
+            // small number where a mistake that is known leads to one as small.
+            let tells = match (case.hands_in_nothing(index), case.is_zero(index)) {
+                (true, true) => shown && faults.last().is_some_and(Fault::leaves_out),
+                (true, false) => {
+                    let known = faults.last().is_some_and(|fault| !fault.is_open());
+                    shown && known && case.meets(index, numbers)
+                }
+                (false, _) => case.tells(index, numbers, allowed),
             };
             let met = || {
                 let right = (&so_far[..], &[Verdict::Right][..]);
@@ -282,15 +293,21 @@ impl Judge<'_, '_> {
         let open: Vec<usize> = (0..self.verdicts.len()).filter(|&i| self.verdicts[i].is_none()).collect();
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
-        let unmoved = self.case.seen(&base, self.drawn);
-        let unmoved = self.case.miss(self.first, unmoved[self.first].as_deref(), self.case.rooms[self.first]);
+        let seen = self.case.seen(&base, self.drawn);
+        let unmoved = self.case.miss(self.first, seen[self.first].as_deref(), self.case.rooms[self.first]);
+        let standing = self.standing(&seen);
         let explained_by = |hypotheses: &[Hypothesis]| {
             let mut tried = self.tried(&base, hypotheses, self.drawn);
             // What leaves the answer where it was does not explain it.
             tried.retain(|t| unmoved - t.moved >= MOVES);
             let mut tried = self.weighed(tried);
             self.credit(&mut tried);
-            tried.retain(|t| t.cost < price && !self.contradicts(t) && self.has_a_witness(t, &base));
+            tried.retain(|t| {
+                t.cost < price
+                    && !self.contradicts(t)
+                    && !self.harms(t, &standing)
+                    && self.has_a_witness(t, &base)
+            });
             tried
         };
         let mut tried = explained_by(&hypotheses);
@@ -307,7 +324,7 @@ impl Judge<'_, '_> {
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         }
         if tried.is_empty() {
-            tried = self.after_own_values(&base);
+            tried = self.after_own_values(&base, &standing);
         }
         // Two mistakes fit any one number: there must be more to be explained, and nothing before that nobody knows.
         let mut two = false;
@@ -316,6 +333,9 @@ impl Judge<'_, '_> {
         if tried.is_empty() && open.len() > 1 && plain {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
+        }
+        if !two {
+            self.commoner_first(&mut tried);
         }
         let Some(best) = tried.first() else {
             return (Vec::new(), unknown.map_or_else(|| self.drawn.clone(), |tried| tried.change));
@@ -373,7 +393,7 @@ impl Judge<'_, '_> {
 
     /// One mistake that was made with the student's own earlier values, where none explains the answer by those that belong
     /// to what is known of the drawing.
-    fn after_own_values(&self, base: &Sketch) -> Vec<Tried> {
+    fn after_own_values(&self, base: &Sketch, standing: &[(usize, Room)]) -> Vec<Tried> {
         let seen = self.case.seen(base, self.drawn);
         let wrong = (0..self.first).filter(|&index| {
             self.verdicts[index] == Some(Verdict::Wrong) && !self.case.hands_in_nothing(index)
@@ -392,6 +412,7 @@ impl Judge<'_, '_> {
                     unmoved - one.moved >= MOVES
                         && self.mistake(one).residual <= CLOSE
                         && !self.contradicts(one)
+                        && !self.harms(one, standing)
                 });
                 all.extend(tried);
             }
@@ -427,6 +448,27 @@ impl Judge<'_, '_> {
         tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     }
 
+    /// Of explanations between which the answers do not decide, that which is made most often, before all others.
+    fn commoner_first(&self, tried: &mut [Tried]) {
+        let Some(best) = tried.first() else { return };
+        let (cost, Mistake { explains, residual, .. }) = (best.cost, self.mistake(best));
+        let name = &self.case.observations[self.first].name;
+        let rarity = |one: &Tried| price_of(&one.hypothesis, name);
+        let undecided = |one: &Tried| {
+            let mistake = self.mistake(one);
+            one.cost <= cost + UNDECIDED
+                && mistake.explains >= explains
+                && mistake.residual <= CLOSE.min(residual + AS_CLOSE)
+        };
+        let mut chosen = 0;
+        for (place, one) in tried.iter().enumerate().skip(1) {
+            if undecided(one) && rarity(one) < rarity(&tried[chosen]) {
+                chosen = place;
+            }
+        }
+        tried[..=chosen].rotate_right(1);
+    }
+
     /// Whether what is said of a whole diagram, of all parts of a kind or of a factor that was found by fitting is at odds with
     /// an answer that is right.
     fn contradicts(&self, tried: &Tried) -> bool {
@@ -442,12 +484,16 @@ impl Judge<'_, '_> {
             () if scaled && *at == say!("every reading") => &[Order::Velocity, Order::Acceleration],
             () => &[],
         };
-        // No scale was used of what is measured on paper.
+        // No scale was used of what is measured on paper, but that at which it was drawn.
+        let drawn_otherwise = |order: Order| {
+            let enlarged = |reading: &Misreading| matches!(reading, Misreading::Enlarged { order: of, .. } if *of == order);
+            tried.change.readings.iter().any(enlarged)
+        };
         let is_read = |i: usize, order: Order| {
             let observation = &self.case.observations[i];
             let read = |quantity: &Quantity| self.case.includes(Which::Read(order), quantity);
             matches!(observation.target, Target::Asked(_))
-                && !observation.on_paper
+                && (!observation.on_paper || drawn_otherwise(order))
                 && observation.quantity.as_ref().is_some_and(read)
         };
         let harmed = |i: usize| {
@@ -468,6 +514,38 @@ impl Judge<'_, '_> {
         let spares = *at == say!("the velocities") && spared(Order::Velocity)
             || *at == say!("the accelerations") && spared(Order::Acceleration);
         spares || (whole || is_of_all(at)) && (0..tried.misses.len()).any(harmed)
+    }
+
+    /// The answers that follow from what is known of the drawing as it is (`seen`), each with its room there.
+    fn standing(&self, seen: &[Option<Vec<f64>>]) -> Vec<(usize, Room)> {
+        if !self.verdicts.contains(&Some(Verdict::Consistent)) {
+            return Vec::new();
+        }
+        let rooms = self.case.rooms_of(self.drawn, seen, FEW);
+        let stands = |index: usize| {
+            let follows = self.verdicts[index] == Some(Verdict::Consistent);
+            let numbers = seen[index].as_deref().filter(|_| follows)?;
+            let usual = self.case.rooms[index].of_size(size(numbers), self.case.right_size(index));
+            let room = rooms[index].or(usual).times(EXPLAINED);
+            (self.case.miss(index, Some(numbers), room) <= 1.0).then_some((index, room))
+        };
+        (0..seen.len()).filter_map(stands).collect()
+    }
+
+    /// Whether a further mistake would move an answer that follows without it: it was not made before that. What is left out
+    /// of a polygon may have been calculated.
+    fn harms(&self, tried: &Tried, standing: &[(usize, Room)]) -> bool {
+        if standing.is_empty() {
+            return false;
+        }
+        let Some(sketch) = self.case.drawn(&tried.change, None) else { return false };
+        let Hypothesis { kind, at, .. } = &tried.hypothesis;
+        let moved = |&(index, room): &(usize, Room)| {
+            let calculated = kind.leaves_out() && *at == self.case.observations[index].name;
+            let numbers = self.case.seen_at(index, &sketch, &tried.change);
+            !calculated && self.case.miss(index, numbers.as_deref(), room) > 1.0
+        };
+        standing.iter().any(moved)
     }
 
     /// Whether more than one vector speaks for a scale factor that was found by fitting: another one that was read, or what
@@ -612,12 +690,7 @@ impl Judge<'_, '_> {
         seen: &[Option<Vec<f64>>],
         rooms: &[Room],
     ) -> Tried {
-        // Of two that explain as much, the one that is made at the answer that shows it.
-        let here = hypothesis.at == self.case.observations[self.first].name;
-        let mut cost = hypothesis.price - if here { AT_HAND } else { 0.0 };
-        if hypothesis.kind.leaves_out() {
-            cost -= FORGOTTEN;
-        }
+        let mut cost = price_of(&hypothesis, &self.case.observations[self.first].name);
         let moved = self.case.miss(self.first, seen[self.first].as_deref(), self.case.rooms[self.first]);
         let mut misses = Vec::with_capacity(seen.len());
         let mut cost_here = 0.0;
@@ -767,6 +840,14 @@ impl Judge<'_, '_> {
         }
         best
     }
+}
+
+/// What a mistake costs by itself at the answer of this name: of two that explain as much, the one that is made at the
+/// answer that shows it, or by which something was forgotten, costs less.
+fn price_of(hypothesis: &Hypothesis, name: &str) -> f64 {
+    let here = if hypothesis.at == *name { AT_HAND } else { 0.0 };
+    let forgotten = if hypothesis.kind.leaves_out() { FORGOTTEN } else { 0.0 };
+    hypothesis.price - here - forgotten
 }
 
 /// Whether a mistake takes one of many lines, letters, vectors or factors, one of which leads near any value: it must

@@ -32,7 +32,7 @@ pub(super) struct Hypothesis {
 pub(super) const PLAIN: f64 = 0.0;
 /// A less usual form of it.
 const UNUSUAL: f64 = 2.0;
-/// A mistake of the motion that only forces could show.
+/// A mistake of the motion that only forces could show, or one in a polygon of which nothing is handed in.
 const UNSEEN: f64 = 1.0;
 /// A far-fetched form.
 const FAR: f64 = 4.0;
@@ -46,6 +46,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.given();
     list.assemblies();
     list.laid_off();
+    list.lengths_halved();
     list.rays();
     list.rates();
     list.images();
@@ -67,6 +68,11 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.directions();
     list.degrees();
     list.centres(so_far);
+    // Nor does anybody who answered nothing of the velocities show where their polygon went wrong.
+    if !case.answers(Order::Velocity) && case.answers(Order::Acceleration) {
+        let unseen = |one: &&mut Hypothesis| one.change.departs_in(Order::Velocity);
+        list.found.iter_mut().filter(unseen).for_each(|one| one.price += UNSEEN);
+    }
     if let Some(sheet) = case.bodies(drawn) {
         // Nobody who answered nothing of the motion shows where its polygons went wrong.
         if ![Order::Velocity, Order::Acceleration].into_iter().any(|order| case.answers(order)) {
@@ -184,14 +190,23 @@ impl<'c> List<'c, '_> {
             }
         }
         // The answers in another unit than they say.
-        for (kind, factor) in [(Kind::RadAsRpm, 30.0 / PI), (Kind::RevAsRad, 0.5 / PI)] {
+        let omegas: Vec<Quantity> =
+            self.observed().into_iter().filter(|of| Which::Omegas.includes(of)).collect();
+        // The number of radians per second, and the other unit beside it.
+        let in_turns: Vec<Quantity> =
+            omegas.iter().copied().filter(|of| self.case.is_in_turns_a_minute(of)).collect();
+        for (kind, factor, among) in [
+            (Kind::RadAsRpm, 30.0 / PI, &omegas),
+            (Kind::RevAsRad, 0.5 / PI, &omegas),
+            (Kind::RadAsRpm, PI / 30.0, &in_turns),
+        ] {
             let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
-            self.add(kind, say!("the answers"), None, UNUSUAL, twisted(Which::Omegas));
-            for quantity in self.observed() {
-                if Which::Omegas.includes(&quantity) {
-                    let name = self.name(&quantity);
-                    self.add(kind, &name, None, UNUSUAL + 1.0, twisted(Which::One(quantity)));
-                }
+            if among.len() == omegas.len() {
+                self.add(kind, say!("the answers"), None, UNUSUAL, twisted(Which::Omegas));
+            }
+            for quantity in among {
+                let name = self.name(quantity);
+                self.add(kind, &name, None, UNUSUAL + 1.0, twisted(Which::One(*quantity)));
             }
         }
     }
@@ -1149,6 +1164,49 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// One calculation with half or twice the length that stands in it.
+    fn lengths_halved(&mut self) {
+        let driven = self.driven();
+        for (step, act) in self.acts() {
+            // What becomes of it with twice the length, and whether that is a rate.
+            let (quantity, doubled, rate) = match *act {
+                Act::Calculate(
+                    Calculation::Speed { quantity, .. } | Calculation::Tangential { quantity, .. },
+                ) => (quantity, 2.0, None),
+                Act::Calculate(Calculation::Normal { quantity, ends, value, .. }) if value > 0.0 => {
+                    let given = driven.contains(&self.link_of(&quantity, ends));
+                    (quantity, if given { 2.0 } else { 0.5 }, None)
+                }
+                Act::Calculate(Calculation::Omega { link, .. }) => {
+                    (Quantity::Omega(link), 0.5, Some((Order::Velocity, link)))
+                }
+                Act::Calculate(Calculation::Alpha { link, .. }) => {
+                    (Quantity::Alpha(link), 0.5, Some((Order::Acceleration, link)))
+                }
+                _ => continue,
+            };
+            let kind = match act {
+                Act::Calculate(Calculation::Normal { .. }) => Kind::NormalOfWrongLink,
+                _ => Kind::TangentialWrongLength,
+            };
+            let name = self.name(&quantity);
+            for (how, factor) in [
+                (say!("with twice its own length"), doubled),
+                (say!("with half its own length"), 1.0 / doubled),
+            ] {
+                let twist = Twist::scaled(factor);
+                let departure = match rate {
+                    Some((order, link)) => Departure::Rate { order, link, factor },
+                    None => Departure::LaidOff { quantity, twist },
+                };
+                let drawn = Change::drawn(vec![departure]);
+                self.add_so((kind, how.clone()), &name, Some(step), 1.25, drawn);
+                let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+                self.add_so((kind, how), &name, Some(step), 1.5, read);
+            }
+        }
+    }
+
     /// The velocities of what slides and of what lies under it, against that of sliding.
     fn other_speeds(&self, slip: &Quantity) -> Vec<(String, f64)> {
         let Quantity::Slip(point, link) = *slip else { return Vec::new() };
@@ -1560,6 +1618,14 @@ impl<'c> List<'c, '_> {
         let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
         ways.extend(others.map(|other| (Kind::TangentialWrongLength, None, length / other)));
         let price = 1.0 + one_of(ways.len()) / 2.0;
+        // The number alone, where all else goes on from the polygon.
+        let alone = ways.iter().filter(|(kind, ..)| *kind == Kind::TangentialWrongLength);
+        let alone: Vec<f64> = alone.map(|(.., factor)| *factor).collect();
+        for factor in alone {
+            let twist = Twist::scaled(factor);
+            let read = Change::read(Misreading::Twisted { of: Which::One(Quantity::Omega(link)), twist });
+            self.add(Kind::TangentialWrongLength, &at, Some(step), price + 0.25, read);
+        }
         let normals: Vec<Quantity> = self
             .acts()
             .into_iter()
@@ -1653,6 +1719,20 @@ impl<'c> List<'c, '_> {
                         self.add_so((Kind::ProportionFromOtherEnd, how), &at, None, 0.25, change);
                     }
                 }
+                // Between the ends of its link, where most points stand.
+                let far = places.iter().map(|place| place.value).fold(places[0].value, |far, place| {
+                    if (place - places[0].value).abs() > (far - places[0].value).abs() { place } else { far }
+                });
+                let factor = (far - places[0].value) / 2.0 / own;
+                if factor.is_finite()
+                    && (0.5 + SAME_LENGTH..).contains(&factor)
+                    && (factor - 1.0).abs() > SAME_LENGTH
+                {
+                    let at = mechanism.point(point).name.clone();
+                    let change = Change::of_inputs(InputChange::Length { link, ends: [0, end], factor });
+                    let how = (Kind::PointLaidOff, say!("in the middle of its link"));
+                    self.add_so(how, &at, None, 1.0, change);
+                }
             }
         }
     }
@@ -1682,6 +1762,17 @@ impl<'c> List<'c, '_> {
                 });
                 ways.extend(taken);
             }
+            // That of the point under what slides on the link, without the proportion.
+            ways.extend(images.iter().filter_map(|image| match image.label {
+                Label::Image { point: rider, link: Some(link) }
+                    if self.case.holds(link, point) && !self.case.holds(link, rider) =>
+                {
+                    let name = &self.case.mechanism.point(rider).name;
+                    let how = say!("that of {}", format!("{name}{}", self.number(link)));
+                    Some((Kind::NeighbourRead, Some(how), 1.0, image.at))
+                }
+                _ => None,
+            }));
             if let (Order::Acceleration, Some(normal)) = (order, self.normal_about_pivot(point, others)) {
                 let left_out = Some(say!("of its acceleration"));
                 ways.push((Kind::NormalMissing, left_out, 0.5, difference(own, normal)));
@@ -1889,7 +1980,13 @@ impl<'c> List<'c, '_> {
             }
             // Where the scale is not stated, it may be another round one.
             if let (Which::One(quantity), false) = (of, self.case.states_scale(of)) {
-                for other in OTHER_SCALES {
+                // The right digits in another unit are no length on paper.
+                let digits = |other: &f64| {
+                    let power = libm::log10(other * self.case.answer_on_paper(&quantity));
+                    (power - libm::round(power)).abs() < SAME_LENGTH
+                };
+                let others: Vec<f64> = OTHER_SCALES.into_iter().filter(|other| !digits(other)).collect();
+                for other in others {
                     let forgotten =
                         Change::read(Misreading::Unscaled { of: Which::One(quantity), factor: other });
                     self.add(Kind::ScaleForgotten, &at, None, price + UNUSUAL, forgotten);

@@ -65,7 +65,7 @@ pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
 pub use phrase::Phrase;
 use phrase::say;
-pub use report::{Allowed, Amiss, FirstFault, Graded, NotRead, Report, StepMarks};
+pub use report::{Allowed, Amiss, FirstFault, Graded, NotRead, Report, StepMarks, UnstatedScale};
 pub use scan::Scan;
 pub use schema::schema;
 pub use symbols::Symbols;

@@ -35,12 +35,27 @@ pub struct Report {
     pub turned: Option<f64>,
     /// How many times larger than at the sheet's scale the skeleton was drawn as a whole; it was compared at its own.
     pub enlarged: Option<f64>,
+    /// The scales at which lengths were compared that were measured on a polygon for which none is stated.
+    pub scales: Vec<UnstatedScale>,
     /// Whether the answers state a `tolerance`, which did not count.
     pub tolerances_ignored: bool,
     /// The variant of the exam to which the answers belong, where that is another one.
     pub other_variant: Option<String>,
     /// In which language it is told.
     pub language: Language,
+}
+
+/// The scale at which lengths of a polygon were compared for which the student states none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnstatedScale {
+    /// The polygon.
+    pub order: Order,
+    /// What a millimetre of paper stands for, in the unit.
+    pub per_mm: f64,
+    /// Of the velocities or accelerations.
+    pub unit: Unit,
+    /// Whether the lengths agree with one another at this scale; otherwise it is the sheet's.
+    pub own: bool,
 }
 
 /// A field of a hand-in that is not understood.
@@ -214,10 +229,30 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         symbols: case.symbols(),
         turned: case.turns.told(),
         enlarged: case.enlarged,
+        scales: unstated_scales(case, judgement),
         tolerances_ignored: case.tolerances_ignored,
         other_variant: answers.other_variant.clone(),
         language: case.language,
     }
+}
+
+/// The scales that are told because none is stated: their own always, the sheet's where a length is wrong at it.
+fn unstated_scales(case: &Case<'_>, judgement: &Judgement) -> Vec<UnstatedScale> {
+    let of = |order: Order| {
+        let own = case.own_scales.iter().find(|(of, _)| *of == order).map(|(_, si_per_mm)| *si_per_mm);
+        let wrong = |(index, observation): (usize, &Observation)| {
+            observation.on_paper
+                && matches!(observation.target, Target::Asked(_))
+                && observation.quantity.is_some_and(|quantity| quantity.order() == order)
+                && judgement.verdicts[index] == Verdict::Wrong
+        };
+        let compared = || case.observations.iter().enumerate().any(wrong);
+        let told = own.is_some() || case.stated.of(order.dimension()).is_none() && compared();
+        let unit = case.unit_of(order);
+        let per_mm = own.unwrap_or_else(|| case.si_per_mm(order)) / unit.si;
+        told.then_some(UnstatedScale { order, per_mm, unit, own: own.is_some() })
+    };
+    [Order::Velocity, Order::Acceleration].into_iter().filter_map(of).collect()
 }
 
 /// The answers at which faults cost their mark that show first in what has none: each costs it at the first answer with
@@ -556,6 +591,13 @@ impl Report {
         }
         if let Some(factor) = self.enlarged {
             report["skeleton_larger"] = json!(factor);
+        }
+        if !self.scales.is_empty() {
+            let told = |scale: &UnstatedScale| {
+                json!({ "figure": super::case::figure_name(scale.order), "per_mm": scale.per_mm,
+                        "unit": scale.unit.symbol, "own": scale.own })
+            };
+            report["scales_not_stated"] = self.scales.iter().map(told).collect();
         }
         if self.tolerances_ignored {
             report["tolerances_ignored"] = json!(true);

@@ -179,10 +179,14 @@ impl Desk<'_, '_> {
         vectors || self.scalars(target).into_iter().filter(|own| own.wrong).any(|own| fits(&[own.value]))
     }
 
-    /// Whether the student's own numbers leave one value only: a normal part or Coriolis whose ω or V he handed in.
+    /// Whether the student's own numbers leave one value only: a normal part or Coriolis whose ω or V he handed in, an ω whose
+    /// V, an ε whose tangential part.
     fn is_settled(&self) -> bool {
         let observation = &self.case.observations[self.index];
         let Some(target) = observation.quantity else { return false };
+        if let Quantity::Omega(link) | Quantity::Alpha(link) = target {
+            return self.turns_with_own_vector(target, link);
+        }
         let product = matches!(
             target,
             Quantity::RelativeNormal(..)
@@ -192,6 +196,56 @@ impl Desk<'_, '_> {
                 | Quantity::Rub(..)
         );
         product && (!self.vectors(target).is_empty() || !self.scalars(target).is_empty())
+    }
+
+    /// Whether the student handed in a vector over whose arm a rate of a link is calculated, and that is no small one.
+    fn turns_with_own_vector(&self, target: Quantity, link: LinkId) -> bool {
+        let mechanism = &self.case.mechanism;
+        let points = &mechanism.link(link).points;
+        let seen = |wanted: Quantity| {
+            let own = self.vector(wanted)?;
+            Some(size(&own.value)).filter(|own| *own > 0.0)
+        };
+        let velocity = matches!(target, Quantity::Omega(_));
+        for &to in points.iter().filter(|to| !mechanism.is_fixed(**to)) {
+            for &from in points.iter().filter(|from| **from != to) {
+                let relative = match velocity {
+                    true => seen(Quantity::RelativeVelocity(to, from)),
+                    false => seen(Quantity::RelativeTangential(to, from)),
+                };
+                let about_pivot = || match (mechanism.is_fixed(from), velocity) {
+                    (false, _) => None,
+                    (true, true) => seen(Quantity::Velocity(to)),
+                    (true, false) => seen(Quantity::Tangential(to)),
+                };
+                if relative.or_else(about_pivot).is_some() {
+                    return true;
+                }
+            }
+        }
+        let under = |slide: &Slide| match (slide.rider, slide.guide.link == link, self.pivot(link)) {
+            (Rider::Pin { point, .. }, true, Some(_)) if velocity => {
+                seen(Quantity::CoincidentVelocity(point, link)).is_some()
+            }
+            (Rider::Pin { point, .. }, true, Some(_)) => {
+                seen(Quantity::CoincidentTangential(point, link)).is_some()
+            }
+            _ => false,
+        };
+        mechanism.slides.iter().any(under) || !velocity && self.tangential_left(link).is_some()
+    }
+
+    /// The tangential part of a point about the pivot of its link, as what its whole acceleration and its normal part leave,
+    /// where that is clear of what both may be off.
+    fn tangential_left(&self, link: LinkId) -> Option<(Own<Xy>, Xy)> {
+        let pivot = self.pivot(link)?;
+        self.case.mechanism.link(link).points.iter().filter(|point| **point != pivot).find_map(|&point| {
+            let whole = self.vector(Quantity::Acceleration(point))?;
+            let normal = self.vector(Quantity::Normal(point))?;
+            let left = whole.with(normal, minus);
+            let clear = size(&left.value) > CLEAR * size(&whole.value).max(size(&normal.value));
+            Some((left, self.arm(pivot, point)?)).filter(|_| clear)
+        })
     }
 
     /// What the image of a point stands for in a polygon: its own, whether the number of a link is told with it or not, or that
@@ -537,25 +591,37 @@ impl Desk<'_, '_> {
         ways
     }
 
-    /// By proportion from the point of a guide that lies under its rider, about the pivot of the guide.
+    /// By proportion from the point of a guide that lies under its rider and another point of the guide's link: its pivot, or
+    /// one of which the vector is known.
     fn images_of_guide(&self, target: Quantity, point: PointId) -> Vec<Own<Xy>> {
         let mechanism = &self.case.mechanism;
-        let way = |slide: &Slide| {
+        let order = target.order();
+        let whole = |point: PointId| match order {
+            Order::Velocity => Quantity::Velocity(point),
+            _ => Quantity::Acceleration(point),
+        };
+        let way = |slide: &Slide, from: PointId| {
             let (link, Rider::Pin { point: rider, .. }) = (slide.guide.link, slide.rider) else {
                 return None;
             };
-            if !mechanism.link(link).points.contains(&point) {
-                return None;
-            }
-            let pivot = self.pivot(link)?;
-            let (base, arm) = (self.arm(pivot, rider)?, self.arm(pivot, point)?);
-            let under = self.vector(under(mechanism, target.order(), rider, link)?)?;
+            let (base, arm) = (self.arm(from, rider)?, self.arm(from, point)?);
+            let under = self.vector(under(mechanism, order, rider, link)?)?;
+            let start = self.known(whole(from), from)?;
             let square = base[0] * base[0] + base[1] * base[1];
             let along = (arm[0] * base[0] + arm[1] * base[1]) / square;
             let across = cross(base, arm) / square;
-            Some(under.map(|v| plus(times(v, along), times(left(v), across))))
+            Some(start.with(under, |start, under| {
+                let far = minus(under, start);
+                plus(start, plus(times(far, along), times(left(far), across)))
+            }))
         };
-        mechanism.slides.iter().filter_map(way).collect()
+        let of_link = |slide: &Slide| {
+            let points = &mechanism.link(slide.guide.link).points;
+            let holds = points.contains(&point);
+            points.iter().copied().filter(|from| holds && *from != point).collect::<Vec<PointId>>()
+        };
+        let slides = mechanism.slides.iter();
+        slides.flat_map(|slide| of_link(slide).into_iter().filter_map(|from| way(slide, from))).collect()
     }
 
     /// By the sums of the polygons in which the answer stands: everything else in them is the student's own.
@@ -665,12 +731,10 @@ impl Desk<'_, '_> {
         let two = |a: Quantity, b: Quantity| self.scalar(a).zip(self.scalar(b));
         match target {
             Quantity::Omega(link) => {
-                let closed = self.closed_rates(Order::Velocity, link);
+                let closed = self.closed_rates(target, link);
                 [self.rates(target, link), self.rates_by_centres(link), closed].concat()
             }
-            Quantity::Alpha(link) => {
-                [self.rates(target, link), self.closed_rates(Order::Acceleration, link)].concat()
-            }
+            Quantity::Alpha(link) => [self.rates(target, link), self.closed_rates(target, link)].concat(),
             Quantity::RelativeOmega(i, j) => {
                 let both = two(Quantity::Omega(i), Quantity::Omega(j));
                 both.map(|(a, b)| a.with(b, |a, b| a - b)).into_iter().collect()
@@ -696,8 +760,13 @@ impl Desk<'_, '_> {
 
     // --- polygons that close at a joint ----------------------------------------------------------
 
-    /// ω or ε of a link by every polygon that closes at one of its points.
-    fn closed_rates(&self, order: Order, link: LinkId) -> Vec<Own<f64>> {
+    /// ω or ε of a link by every polygon that closes at one of its points; none where the vector is handed in over whose arm
+    /// it is calculated.
+    fn closed_rates(&self, target: Quantity, link: LinkId) -> Vec<Own<f64>> {
+        if self.turns_with_own_vector(target, link) {
+            return Vec::new();
+        }
+        let order = target.order();
         let points = (0..self.case.mechanism.points.len()).map(PointId);
         let open = points.flat_map(|point| self.closings(order, point)).flat_map(|closing| closing.open);
         open.filter_map(|(open, value)| matches!(open, Open::Rate(of) if of == link).then_some(value))
@@ -1117,9 +1186,15 @@ impl Desk<'_, '_> {
                 ways.extend(self.vector(under).map(|v| v.map(|v| rate(arm, v))));
             }
         }
+        if let (Quantity::Alpha(_), Some((left, arm))) = (target, self.tangential_left(link)) {
+            ways.push(left.map(|left| rate(arm, left)));
+        }
         ways
     }
 }
+
+/// What is left of two vectors tells a rate where it is no smaller part of the longer one.
+const CLEAR: f64 = 0.5;
 
 /// An image that stands farther from where it should, as a part of its distance from the pole, is another one.
 const MOVED: f64 = 1e-6;

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use super::answers::Form;
 use super::judge::{CLOSE, Mistake, Verdict};
 use super::phrase::{Phrase, say};
-use super::report::{Allowed, Amiss, Graded, Report};
+use super::report::{Allowed, Amiss, Graded, Report, UnstatedScale};
 use super::symbols::Symbols;
+use crate::mechanism::quantity::Order;
 use crate::sheet::Language;
 
 impl Verdict {
@@ -231,7 +232,28 @@ impl Report {
         let stated = self
             .tolerances_ignored
             .then(|| say!("The tolerance that these answers state does not count: the examiner sets it."));
-        variant.into_iter().chain(turned).chain(enlarged).chain(stated).collect()
+        let scales = self.scales.iter().map(|UnstatedScale { order, per_mm, unit, own }| {
+            let figure = match order {
+                Order::Acceleration => say!("the accelerations"),
+                _ => say!("the velocities"),
+            };
+            let per_mm = trimmed(&digits(*per_mm, per_mm / 200.0));
+            match own {
+                true => say!(
+                    "No scale is stated for {}: their lengths agree at {} {} per mm, and were compared at that.",
+                    figure,
+                    per_mm,
+                    unit.symbol
+                ),
+                false => say!(
+                    "No scale is stated for {}: their lengths were compared at the sheet's {} {} per mm.",
+                    figure,
+                    per_mm,
+                    unit.symbol
+                ),
+            }
+        });
+        variant.into_iter().chain(turned).chain(enlarged).chain(scales).chain(stated).collect()
     }
 
     /// A sentence in the language of the report, with names as the sheet prints them.

@@ -265,7 +265,8 @@ impl Draughtsman<'_> {
 
     /// Refuses a balance in which a pair that keeps its contact would have to pull.
     pub(super) fn judge_contacts(&mut self, balance: &mut Balance) {
-        if !balance.judges() || balance.refused.is_some() {
+        // Whoever errs does not ask whether a contact would have to pull in what he has drawn.
+        if !balance.judges() || balance.refused.is_some() || !self.departures.is_empty() {
             return;
         }
         let size = |pull: Pull| {
