@@ -6,9 +6,13 @@
 use crate::common;
 use crate::told::{CLAMP, DRIVEN_ROD};
 
-use linkgram::graphical::construction::{Acting, ForceSheet, FreeBody, Knowledge, Turning};
+use linkgram::graphical::construction::{
+    About, Acting, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance, MomentTerm, Turning,
+};
 use linkgram::mechanism::Mechanism;
-use linkgram::mechanism::force::{Action, Force, Sought};
+use linkgram::mechanism::force::{Action, Force, Party, Sought};
+use linkgram::mechanism::quantity::{Answer, Quantity};
+use linkgram::mechanism::{LinkId, PointId};
 use linkgram::mechanism::structure::Closing;
 use linkgram::plan::Extent;
 use linkgram::{scene, sheet, solve};
@@ -20,7 +24,7 @@ fn pair(action: Action) -> Action {
         Action::OnPin(link, pin) => Action::OfPin(pin, link),
         Action::DriveBack(input) => Action::Drive(input),
         Action::Spring { index, .. } => Action::Spring { index, end: 0 },
-        Action::Rolling { roll, .. } => Action::Rolling { roll, on: linkgram::mechanism::LinkId::FRAME },
+        Action::Rolling { roll, .. } => Action::Rolling { roll, on: LinkId::FRAME },
         other => other,
     }
 }
@@ -55,19 +59,38 @@ impl Reader<'_> {
             _ => false,
         };
         let action = pair(action);
-        let whole = |action: Action| {
-            self.has(Part::Whole(action)) || self.has(Part::Along(action)) && self.has(Part::Across(action))
+        given
+            || self.has(Part::Whole(action))
+            || self.has(Part::Along(action)) && self.has(Part::Across(action))
+    }
+
+    /// Whether all that moments use is found.
+    fn knows_all(&self, moments: &MomentBalance) -> bool {
+        moments.terms.iter().all(|term| match term.of {
+            Turning::Force(action) => self.knows(action),
+            Turning::Across(action) => self.has(Part::Across(pair(action))) || self.knows(action),
+            Turning::Along(action) => self.has(Part::Along(pair(action))) || self.knows(action),
+            Turning::Torque(Force::Moment(action, _)) => self.has(Part::Couple(pair(action))),
+            Turning::Torque(_) => true,
+        })
+    }
+
+    /// Whether the lines to which its arms are measured are: what a straight guide exerts on what it keeps from turning has
+    /// its line beside the joint, where only the moment of it leads.
+    fn sees_all(&self, moments: &MomentBalance) -> bool {
+        let beside = |acting: &&Acting| {
+            let [x, y] = [0, 1].map(|axis| acting.through[axis] - acting.at[axis]);
+            let size = libm::hypot(acting.force[0], acting.force[1]);
+            (x * acting.force[1] - y * acting.force[0]).abs() > 1e-9 * size
         };
-        // A pin hands on to one link what all others exert on it.
-        let others = match action {
-            Action::OfPin(pin, on) if m.drive_of_pin(pin).is_none() => {
-                let others = m.parties_at(pin).into_iter().filter(|link| *link != on);
-                let all: Vec<bool> = others.map(|link| whole(Action::OfPin(pin, link))).collect();
-                all.iter().all(|known| *known)
+        let all = || self.sheet.bodies.iter().flat_map(|body| &body.acting);
+        moments.terms.iter().all(|term| match term.of {
+            Turning::Force(action @ Action::Pair { .. }) if self.sheet.rubs.is_empty() => {
+                let own = all().find(|acting| acting.action == action);
+                own.filter(beside).is_none() || self.has(Part::Couple(pair(action)))
             }
-            _ => false,
-        };
-        given || whole(action) || others
+            _ => true,
+        })
     }
 
     fn learn(&mut self, part: Part) -> bool {
@@ -79,14 +102,7 @@ impl Reader<'_> {
     fn learn_moments(&mut self, told: usize) -> bool {
         let mut more = false;
         for moments in self.sheet.moments.iter().filter(|moments| moments.told == told) {
-            let known = moments.terms.iter().all(|term| match term.of {
-                Turning::Force(action) => self.knows(action),
-                Turning::Across(action) => self.has(Part::Across(pair(action))) || self.knows(action),
-                Turning::Along(action) => self.has(Part::Along(pair(action))) || self.knows(action),
-                Turning::Torque(Force::Moment(action, _)) => self.has(Part::Couple(pair(action))),
-                Turning::Torque(_) => true,
-            });
-            if !known {
+            if !self.knows_all(moments) || !self.sees_all(moments) {
                 continue;
             }
             more |= match moments.found.of {
@@ -174,10 +190,10 @@ fn unfounded(mechanism: &Mechanism, sheet: &ForceSheet) -> Vec<String> {
                         let slide = mechanism.slides[slide];
                         let guide = slide.guide.link;
                         let action = match mechanism.party_of(&slide.rider) {
-                            linkgram::mechanism::force::Party::Link(rider) => {
+                            Party::Link(rider) => {
                                 Action::Pair { by: guide, on: rider }
                             }
-                            linkgram::mechanism::force::Party::Pin(pin) => {
+                            Party::Pin(pin) => {
                                 match mechanism.parties_at(pin)[..] {
                                     [one, other] => Action::Pair { by: one, on: other },
                                     _ => Action::OnPin(guide, pin),
@@ -203,6 +219,13 @@ fn unfounded(mechanism: &Mechanism, sheet: &ForceSheet) -> Vec<String> {
             }
             if !more {
                 break;
+            }
+        }
+        for moments in sheet.moments.iter().filter(|moments| chunk.contains(&moments.told)) {
+            if !reader.knows_all(moments) {
+                wrong.push(format!("moments of {:?} use what nothing found", moments.links));
+            } else if !reader.sees_all(moments) {
+                wrong.push(format!("moments of {:?} have an arm to a line that nothing found", moments.links));
             }
         }
         for body in &sheet.bodies[chunk.clone()] {
@@ -241,6 +264,15 @@ fn scenes() -> Vec<(String, String)> {
             crate::forces_routes::loaded(&mut value, 1.0);
         }
         all.push((kind.name.to_owned(), value.to_string()));
+        // A torque on the last link alone: what slides passes on a couple.
+        let mut value: serde_json::Value = serde_json::from_str(kind.scene).unwrap();
+        if ["masses", "cycle", "loads", "spin"].iter().all(|key| value.get(key).is_none()) {
+            let links = value["links"].as_object().unwrap().keys();
+            let last = links.filter_map(|number| number.parse::<u64>().ok()).max().unwrap();
+            value["loads"] = serde_json::json!([{ "name": "N", "on": last, "torque": "3 N*m" }]);
+            value.as_object_mut().unwrap().remove("find");
+            all.push((format!("{} under a torque", kind.name), value.to_string()));
+        }
     }
     for seed in 0..CHAINS {
         let mut chain = crate::forces::Chain::new(seed);
@@ -269,4 +301,167 @@ fn no_force_is_laid_off_before_something_found_it() {
     println!("{judged} bodies");
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(judged > 900, "{judged}");
+}
+
+/// What the other solver says of forces: sizes, and moments about one fixed point.
+struct Truth<'a> {
+    state: &'a linkgram::analytic::State,
+    sheet: &'a ForceSheet,
+    about: PointId,
+    /// That point, metres from the skeleton's origin.
+    at: [f64; 2],
+}
+
+impl Truth<'_> {
+    fn scalar(&self, force: Force) -> Option<f64> {
+        match self.state.answer(&Quantity::Force(force, self.sheet.share)) {
+            Answer::Scalar { value, .. } => Some(value),
+            _ => None,
+        }
+    }
+
+    fn vector(&self, action: Action) -> Option<[f64; 2]> {
+        match self.state.answer(&Quantity::Force(Force::Vector(action), self.sheet.share)) {
+            Answer::Vector { value, .. } => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The moment of a force about a place; that of inertia with its couple.
+    fn moment(&self, action: Action, place: [f64; 2]) -> Option<f64> {
+        let [x, y] = self.vector(action)?;
+        let own = self.scalar(Force::Moment(action, self.about))?;
+        Some(own + (self.at[0] - place[0]) * y - (self.at[1] - place[1]) * x)
+    }
+
+    /// What acts on a body comes to nothing: its forces, and their moments with those of its torques.
+    fn unbalanced(&self, body: &FreeBody) -> Option<String> {
+        let (mut sum, mut turned, mut largest, mut most) = ([0.0; 2], 0.0, 0.0_f64, 0.0_f64);
+        for acting in &body.acting {
+            let of_pair = matches!(
+                acting.action,
+                Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..) | Action::Rolling { .. }
+            );
+            // What is given is taken as it stands.
+            let ([x, y], moment) = match of_pair {
+                true => (self.vector(acting.action)?, self.moment(acting.action, self.at)?),
+                false => {
+                    let [dx, dy] = [0, 1].map(|axis| acting.through[axis] - self.at[axis]);
+                    (acting.force, dx * acting.force[1] - dy * acting.force[0])
+                }
+            };
+            let size = libm::hypot(x, y);
+            // The body has what the solver has, by a line or as a couple.
+            let [fx, fy] = acting.force;
+            let [dx, dy] = [0, 1].map(|axis| acting.through[axis] - self.at[axis]);
+            let drawn = dx * fy - dy * fx + acting.couple;
+            let reach = libm::hypot(dx, dy) * libm::hypot(fx, fy);
+            let scale = moment.abs().max(reach).max(acting.couple.abs());
+            let tolerance = if self.sheet.rubs.is_empty() { 1e-6 } else { 1e-4 };
+            if (drawn - moment).abs() > tolerance * scale.max(1e-6) && size > 1e-9 {
+                return Some(format!("{:?}: {drawn} for a moment {moment}", acting.action));
+            }
+            if size <= 1e-9 && (drawn - moment).abs() > 1e-6 * scale.max(1e-6) {
+                return Some(format!("{:?} passes on no force: {drawn} for a couple {moment}", acting.action));
+            }
+            (largest, most) = (largest.max(size), most.max(moment.abs()));
+            sum = [sum[0] + x, sum[1] + y];
+            turned += moment;
+        }
+        for (of, value) in &body.torques {
+            most = most.max(value.abs());
+            turned += value;
+        }
+        let tolerance = if self.sheet.rubs.is_empty() { 1e-6 } else { 1e-4 };
+        let left = libm::hypot(sum[0], sum[1]);
+        (left > tolerance * largest.max(1e-6) || turned.abs() > tolerance * most.max(1e-6))
+            .then(|| format!("{left} N of {largest} and {turned} N m of {most} are left"))
+    }
+
+    /// What a term of moments is, where it is that of a force of a pair.
+    fn of_term(&self, term: &MomentTerm, moments: &MomentBalance, construction: &Construction) -> Option<f64> {
+        let per_mm = construction.space.metres_per_mm;
+        let stands = |point: PointId| construction.space.places[point.0].map(|at| at.map(|mm| mm * per_mm));
+        let place = match moments.about {
+            About::Point(point) => stands(point)?,
+            About::Meet { at, .. } | About::Contact { at, .. } | About::Centre { at, .. } => at,
+        };
+        let Turning::Force(action) = term.of else { return None };
+        let of_pair = matches!(action, Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..));
+        if !of_pair {
+            return None;
+        }
+        // What is carried to a pin turns as it does there.
+        if let Some((link, pin)) = moments.carried {
+            let (_, links) = action.about();
+            if links.contains(&Some(link)) {
+                let (at, [x, y]) = (stands(pin)?, self.vector(action)?);
+                return Some((at[0] - place[0]) * y - (at[1] - place[1]) * x);
+            }
+        }
+        self.moment(action, place)
+    }
+}
+
+/// Every free body is in balance by what the other solver finds, with the couples of pairs that pass on no force; and every
+/// line of moments is that of forces as this solver has them, and closes.
+#[test]
+fn free_bodies_and_their_moments_balance_by_the_other_solver() {
+    let (mut bodies, mut terms, mut couples, mut wrong) = (0, 0, 0, Vec::new());
+    for (name, text) in scenes() {
+        let Ok(scene) = scene::read(&text, &name) else { continue };
+        let Ok(solved) = solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene) else {
+            continue;
+        };
+        let construction = &solved.solution.construction;
+        let Some(sheet) = &construction.forces else { continue };
+        let m = &scene.mechanism;
+        if sheet.governor.is_some() || m.forces.spin.is_some() || m.forces.cycle.is_some() {
+            continue;
+        }
+        let fixed = (0..m.points.len()).map(PointId).filter(|point| m.is_fixed(*point));
+        let per_mm = construction.space.metres_per_mm;
+        let place = |point: PointId| construction.space.places[point.0].map(|at| at.map(|mm| mm * per_mm));
+        let Some((about, at)) = fixed.into_iter().find_map(|point| Some((point, place(point)?))) else {
+            continue;
+        };
+        let mut asked = Vec::new();
+        for acting in sheet.bodies.iter().flat_map(|body| &body.acting) {
+            asked.extend([Force::Vector(acting.action), Force::Moment(acting.action, about)]);
+        }
+        let used = sheet.moments.iter().flat_map(|moments| &moments.terms);
+        for term in used {
+            if let Turning::Force(action) = term.of {
+                asked.extend([Force::Vector(action), Force::Moment(action, about)]);
+            }
+        }
+        let asked: Vec<Quantity> = asked.into_iter().map(|of| Quantity::Force(of, sheet.share)).collect();
+        let Ok(state) = solve::solve_analytically_for(&scene, &asked) else { continue };
+        let truth = Truth { state: &state, sheet, about, at };
+        for body in sheet.bodies.iter().filter(|body| matches!(body.of, Party::Link(_))) {
+            bodies += 1;
+            couples += body.acting.iter().filter(|acting| acting.couple != 0.0).count();
+            wrong.extend(truth.unbalanced(body).map(|why| format!("{name}: {:?}: {why}", body.of)));
+        }
+        let tolerance = if sheet.rubs.is_empty() { 1e-6 } else { 1e-4 };
+        for moments in &sheet.moments {
+            let all = || moments.terms.iter().chain([&moments.found]);
+            let largest = all().map(|term| term.moment.abs()).fold(1e-9, f64::max);
+            let left: f64 = all().map(|term| term.moment).sum();
+            if left.abs() > tolerance * largest {
+                wrong.push(format!("{name}: moments of {:?} leave {left} of {largest}", moments.links));
+            }
+            for term in all() {
+                let Some(own) = truth.of_term(term, moments, construction) else { continue };
+                terms += 1;
+                if (own - term.moment).abs() > tolerance * largest {
+                    let told = (term.of, term.moment);
+                    wrong.push(format!("{name}: moments of {:?}: {told:?} is {own}", moments.links));
+                }
+            }
+        }
+    }
+    println!("{bodies} bodies, {terms} terms, {couples} couples");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(bodies > 800 && terms > 600 && couples > 8, "{bodies} {terms} {couples}");
 }

@@ -604,6 +604,17 @@ pub struct Acting {
     pub with_couple: bool,
     /// The parts of which moments give one, or both.
     pub parts: Option<Parts>,
+    /// What a pair does that passes on no force: a couple, ccw positive, N·m. Zero of every force that has a size, whose
+    /// line tells its moment.
+    pub couple: f64,
+}
+
+impl Acting {
+    /// Whether nothing is passed on: neither a force nor a couple.
+    #[must_use]
+    pub fn acts_not(&self) -> bool {
+        self.force == [0.0; 2] && self.couple == 0.0
+    }
 }
 
 /// The parts of a force at a pin: head to tail they are the force.

@@ -50,6 +50,8 @@ const ALONE: f64 = 25.0;
 const OFF_LINE: f64 = 0.1;
 /// How far the lines of what a polygon finds run past their meeting.
 const PAST: f64 = 7.0;
+/// Arcs about places that are nearer to each other than this, mm, are drawn about each other.
+const ABOUT_ONE: f64 = 12.0;
 /// Half the length of a line of which nothing but the line is known, mm.
 const LINE: f64 = 11.0;
 /// Steps of the scale.
@@ -717,14 +719,20 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
     })
 }
 
-/// The torques that are given, with their links.
+/// The torques that are given, with their links, and those of inertia that stand beside no force of inertia.
 fn given_torques(sheet: &ForceSheet) -> Vec<(LinkId, Force, f64)> {
     let mut all: Vec<(LinkId, Force, f64)> = Vec::new();
     for body in &sheet.bodies {
         let Party::Link(link) = body.of else { continue };
+        let alone = |of: LinkId| body.acting.iter().all(|acting| acting.action != Action::Inertia(of));
         for (torque, value) in &body.torques {
             let told = all.iter().any(|(_, other, _)| other == torque);
-            if matches!(torque, Force::LoadTorque(_)) && !told {
+            let drawn = match torque {
+                Force::LoadTorque(_) => true,
+                Force::InertiaTorque(of) => alone(*of),
+                _ => false,
+            };
+            if drawn && !told {
                 all.push((link, *torque, *value));
             }
         }
@@ -974,6 +982,7 @@ fn sum_line(
         closes: false,
         with_couple: false,
         parts: None,
+        couple: 0.0,
     };
     let most = largest(forces).max(libm::hypot(sum[0], sum[1]));
     Some(skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
@@ -991,6 +1000,16 @@ fn sum_line(
         }
         for (acting, at) in arrows {
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, (most, &taken), notation);
+        }
+        for term in &line.terms {
+            let Turning::Torque(torque @ Force::InertiaTorque(link)) = term.of else { continue };
+            let centre = forces.iter().find(|acting| acting.action == Action::Inertia(link));
+            let first = notation.mechanism().link(link).points.first();
+            let first = first.and_then(|point| *construction.space.places.get(point.0)?).map(page);
+            if let Some(at) = centre.map(|acting| on_page(acting.at, construction)).or(first) {
+                let known = (torque, term.moment, true);
+                turning(&mut overlay.ink, &mut overlay.labels, known, (at, 4.5), notation);
+            }
         }
         // The sum stands on its line where nothing else stands.
         let foot = frame.arrow_at(&mut overlay, &whole, near, shown);
@@ -1411,23 +1430,39 @@ impl Free<'_> {
                     let at = arrows.next().unwrap_or(at);
                     short_arrow(&mut group, &mut requests, acting, at, (most, &taken), notation);
                 }
+                // What passes on no force but a couple has neither a line nor a wave.
+                _ if acting.couple != 0.0 => {}
                 known => match acting.parts {
                     Some(parts) => {
-                        lines_of_parts((&mut group, &mut requests), (acting, parts), (at, &places), notation)
+                        let shown = (construction, notation);
+                        let drawn = (&mut group, &mut requests);
+                        taken.extend(lines_of_parts(drawn, (acting, parts), (at, &places), shown));
                     }
                     None => {
-                        let around = (&places[..], &all_bars[..]);
-                        unknown(&mut group, &mut requests, acting, (known, at), around, notation);
+                        let around = (&places[..], &all_bars[..], &taken[..]);
+                        let drawn = (&mut group, &mut requests);
+                        let stroke = unknown(drawn, acting, (known, at), around, notation);
+                        taken.push(stroke);
                     }
                 },
             }
         }
         let ink = group.bounds().unwrap_or(Rect::ZERO);
-        for (index, (torque, value)) in self.torques.iter().enumerate() {
-            let at = places.first().map_or(ink.center(), |(at, ..)| *at);
-            let radius = 4.5 + 1.8 * index as f64;
+        let first = places.first().map_or(ink.center(), |(at, ..)| *at);
+        let torques = self.torques.iter().map(|(torque, value)| {
             let known = !matches!(torque, Force::Torque(_));
-            turning(&mut group, &mut requests, (*torque, *value, known), (at, radius), notation);
+            (first, *torque, *value, known)
+        });
+        let couples = self.acting.iter().filter_map(|acting| {
+            let couple = couple_name(sheet, acting)?;
+            Some((on_page(acting.at, construction), couple, acting.couple, acting.known == Knowledge::Full))
+        });
+        let mut arcs: Vec<Point> = Vec::new();
+        for (at, torque, value, known) in torques.chain(couples) {
+            let here = arcs.iter().filter(|other| other.distance(at) < ABOUT_ONE).count();
+            let radius = 4.5 + 1.8 * here as f64;
+            arcs.push(at);
+            turning(&mut group, &mut requests, (torque, value, known), (at, radius), notation);
         }
         let names = place(&group, &requests, None);
         group.group(names);
@@ -1435,16 +1470,31 @@ impl Free<'_> {
     }
 }
 
+/// The name of the couple that a pair passes on without a force: the moment by which a balance has told it; none of a force.
+fn couple_name(sheet: &ForceSheet, acting: &Acting) -> Option<Force> {
+    let told = sheet.moments.iter().find_map(|moments| match moments.found.of {
+        Turning::Torque(Force::Moment(of, about)) if either(of) == either(acting.action) => Some(about),
+        _ => None,
+    });
+    (acting.couple != 0.0).then_some(Force::Moment(acting.action, told?))
+}
+
 /// The lines of the parts of a force that is not found: from where it acts, that along a link away from it.
 fn lines_of_parts(
     (group, requests): (&mut Group, &mut Vec<Request>),
     (acting, parts): (&Acting, Parts),
     (at, places): (Point, &[(Point, Rich, bool)]),
-    notation: &Notation<'_>,
-) {
+    (construction, notation): (&Construction, &Notation<'_>),
+) -> Vec<Stretch> {
     let profile = notation.profile;
-    let both = [(parts.across, "Ft", profile.tangential), (parts.along, "Fn", profile.normal)];
-    for (force, letters, mark) in both {
+    let mut drawn = Vec::new();
+    // A part that comes to nothing has the line that the table gives it.
+    let [from, to] = parts.line.map(|point| construction.space.places.get(point.0).copied().flatten());
+    let bar = from.zip(to).map(|([ax, ay], [bx, by])| [bx - ax, by - ay]);
+    let square = bar.map(|[x, y]| [-y, x]);
+    let both = [(parts.across, square, "Ft", profile.tangential), (parts.along, bar, "Fn", profile.normal)];
+    for (force, line, letters, mark) in both {
+        let force = if force == [0.0; 2] { line.unwrap_or(force) } else { force };
         let size = libm::hypot(force[0], force[1]);
         if size <= 0.0 {
             continue;
@@ -1465,18 +1515,19 @@ fn lines_of_parts(
         let mut request = Request::new(text, SMALL, site, "label force-name");
         request.leader = true;
         requests.push(request);
+        drawn.push((at, to));
     }
+    drawn
 }
 
-/// A force of which only the line is known, or nothing but where it acts.
+/// A force of which only the line is known, or nothing but where it acts: its stroke.
 fn unknown(
-    group: &mut Group,
-    requests: &mut Vec<Request>,
+    (group, requests): (&mut Group, &mut Vec<Request>),
     acting: &Acting,
     (known, at): (Knowledge, Point),
-    (places, bars): (&[(Point, Rich, bool)], &[Stretch]),
+    (places, bars, taken): (&[(Point, Rich, bool)], &[Stretch], &[Stretch]),
     notation: &Notation<'_>,
-) {
+) -> Stretch {
     let mechanism = notation.mechanism();
     let size = libm::hypot(acting.force[0], acting.force[1]);
     if known == Knowledge::Line && size > 0.0 {
@@ -1490,7 +1541,7 @@ fn unknown(
         own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THIN)).precise());
         group.group(own);
         named(requests, acting, to, along, notation);
-        return;
+        return (from, to);
     }
     // Away from the middle of the link, where there is room.
     let middle =
@@ -1507,10 +1558,46 @@ fn unknown(
     if covered {
         along = Vec2::new(-along.y, along.x);
     }
+    // Nor along another force: turned away from it, as little as may be.
+    let stroke = |turned: f64| {
+        let (sin, cos) = (libm::sin(turned), libm::cos(turned));
+        let way = Vec2::new(along.x * cos - along.y * sin, along.x * sin + along.y * cos);
+        (at, at + way * LINE)
+    };
+    let free = |stroke: &Stretch| !taken.iter().chain(bars).any(|other| waves_over(*stroke, *other));
+    let turns = (0..=TURNS_OF_A_WAVE).flat_map(|step| {
+        let turned = std::f64::consts::PI * f64::from(step) / f64::from(TURNS_OF_A_WAVE);
+        [turned, -turned]
+    });
+    let found = if free(&stroke(0.0)) { None } else { turns.map(stroke).find(free) };
+    along = found.map_or(along, |(from, to)| (to - from) / LINE);
     let mut own = Group::new("force unknown").data("quantity", acting.action.name(mechanism));
     own.mark(Mark::stroke(Shape::Polyline(wave(at, along)), Pen::solid(THIN)));
     group.group(own);
     named(requests, acting, at + along * LINE, along, notation);
+    (at, at + along * LINE)
+}
+
+/// In so many steps a wave is turned half round from where it would stand.
+const TURNS_OF_A_WAVE: u32 = 6;
+
+/// Whether the wave of an unknown force would lie on another stroke: more of it than where both begin is nearer to it than
+/// it swings.
+fn waves_over((from, to): Stretch, (a, b): Stretch) -> bool {
+    const PARTS: u32 = 20;
+    const SWING: f64 = 2.0;
+    const MOST: usize = 6;
+    let length = a.distance(b);
+    if length <= 0.0 {
+        return false;
+    }
+    let along = (b - a) / length;
+    let near = |part: &u32| {
+        let at = from.lerp(to, f64::from(*part) / f64::from(PARTS));
+        let reach = (at - a).dot(along).clamp(0.0, length);
+        at.distance(a + along * reach) < SWING
+    };
+    (0..=PARTS).filter(near).count() > MOST
 }
 
 /// The inertia torque of a link, where a free body shows it.

@@ -909,7 +909,8 @@ impl Teller<'_> {
             let known = one.known == Knowledge::Full
                 || other.known == Knowledge::Full
                 || self.sheet.friction_axis(body).is_some();
-            if let (false, Party::Link(link)) = (known, body.of) {
+            let line = body.acting.iter().all(|acting| acting.couple == 0.0);
+            if let (false, true, Party::Link(link)) = (known, line, body.of) {
                 let points: Vec<_> = self.n.mechanism().link(link).points.iter().take(2).collect();
                 if let [a, b] = points[..] {
                     let parts = [("links", self.body_name(body)), ("line", self.n.length(*a, *b))];
@@ -954,12 +955,18 @@ impl Teller<'_> {
             Some(ForcePanel::Together(place)).filter(|panel| panels.contains(panel))
         };
         let mut panel = ForcePanel::Body(index);
+        // Where the line of a force lies is told with its moment, or as soon as its size is read.
+        let mut waiting: Vec<&MomentBalance> = Vec::new();
         for moments in told(false) {
             if let Some(own) = own_panel(moments) {
                 parts.push((panel, std::mem::take(&mut items)));
                 panel = own;
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
+            match self.displaced(moments, index) {
+                Some(line) => items.push(Item::Sentence(line)),
+                None => waiting.push(moments),
+            }
         }
         items.extend(self.of_both_parts(index).into_iter().map(Item::Sentence));
         for (link, axis) in super::friction::axes_told(index, self.sheet) {
@@ -1000,13 +1007,14 @@ impl Teller<'_> {
                 items.extend(self.equal(one, other).map(Item::Sentence));
             }
         }
-        items.extend(self.displaced(index).into_iter().map(Item::Sentence));
+        items.extend(waiting.iter().filter_map(|moments| self.displaced(moments, index)).map(Item::Sentence));
         for moments in told(true) {
             if let Some(own) = own_panel(moments) {
                 parts.push((panel, std::mem::take(&mut items)));
                 panel = own;
             }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
+            items.extend(self.displaced(moments, index).map(Item::Sentence));
         }
         parts.push((panel, items));
         parts
@@ -1496,6 +1504,21 @@ impl Teller<'_> {
             lines.push(tell(found.up("\u{a0}= 0")));
             return lines;
         }
+        if let ([only], None) = (&moments.terms[..], moments.found.arm)
+            && only.arm.is_none()
+        {
+            // One couple balances another: it is that, turned round.
+            let [of, is] = [moments.found.of, only.of].map(|of| self.key_of(of));
+            let size = {
+                let mut figures = self.figures.borrow_mut();
+                let number = figures.tell(is, only.size, &units.torque);
+                figures.alias(of, is);
+                human::with_unit(&number, &units.torque.symbol)
+            };
+            let equation = found.up(EQUALS).then(&self.name_of(only.of)).up(EQUALS).then(&size);
+            lines.push(tell(equation.word(self.n.sense(-sum))));
+            return lines;
+        }
         let divisor = moments.found.arm.map(|arm| {
             let factor = Factor::new(arm.length, &units.length, "m").of(self.key_of_arm(&arm));
             (arm_name(self.sheet, &arm, self.n), factor)
@@ -1707,6 +1730,11 @@ impl Teller<'_> {
     /// What the polygon of a body gives.
     fn polygon(&self, index: usize) -> Vec<Rich> {
         let body = &self.sheet.bodies[index];
+        // Two forces of which neither is found, on lines that are not one, are none.
+        let zero = |acting: &Acting| acting.closes && acting.force == [0.0; 2];
+        if let ([one, other], true) = (&body.acting[..], body.acting.iter().all(zero)) {
+            return [one, other].map(|acting| self.short(acting)).to_vec();
+        }
         // Two forces are one line there and back.
         if body.acting.len() < 3 || super::governor::without_polygon(self.sheet, index) {
             return Vec::new();
@@ -1810,39 +1838,39 @@ impl Teller<'_> {
         Rich::fill(self.n.words.force_as_point, &[("vector", self.symbol(acting.action)), ("value", size)])
     }
 
-    /// How far from a point the line of a force lies of which moments of the body have given the moment about it: a block that
-    /// does not turn is held by its guide beside its pin. Where that is asked, it is told with what is asked.
-    fn displaced(&self, index: usize) -> Vec<Rich> {
+    /// How far from a point the line of a force lies of which moments of a body have given the moment about it: a block that
+    /// does not turn is held by its guide beside its pin. Where that is asked, it is told with what is asked. Of a force that
+    /// is none, that it is a couple.
+    fn displaced(&self, moments: &MomentBalance, index: usize) -> Option<Rich> {
         let units = &self.n.scene.units;
-        let own = self.sheet.moments.iter().filter(|moments| moments.told == index);
-        let told = own.filter_map(|moments| {
-            let Turning::Torque(of @ Force::Moment(action, about)) = moments.found.of else { return None };
-            let is_asked = self.sheet.arms.iter().any(|own| {
-                matches!(own.found.of, Turning::Torque(Force::Arm(other, at) | Force::Moment(other, at))
-                    if at == about && either(other) == either(action))
-            });
-            let key = self.whole(Force::Vector(action));
-            let all = self.sheet.bodies[..=index].iter().flat_map(|body| &body.acting);
-            let acting = all.into_iter().find(|acting| either(acting.action) == either(action))?;
-            let size = libm::hypot(acting.force[0], acting.force[1]);
-            let moment: f64 = moments.terms.iter().map(|term| term.moment).sum();
-            if is_asked || size == 0.0 || moment == 0.0 || !self.figures.borrow().has(key) {
-                return None;
-            }
-            let factors = [
-                Factor::new(moment.abs(), &units.torque, "N·m").of(self.whole(of)),
-                Factor::new(size, &units.force, "N").of(key),
-            ];
-            let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
-            let result = Factor::new(moment.abs() / size, &units.length, "m");
-            let formula = symbol(of).up(OVER).then(&self.symbol(action));
-            let named = symbol(Force::Arm(action, about));
-            let equation = self.line(named, formula, &factors, quotient, |n| n[0] / n[1], result);
-            let parts =
-                [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
-            Some(Rich::fill(self.n.words.line_beside, &parts))
+        let Turning::Torque(of @ Force::Moment(action, about)) = moments.found.of else { return None };
+        let is_asked = self.sheet.arms.iter().any(|own| {
+            matches!(own.found.of, Turning::Torque(Force::Arm(other, at) | Force::Moment(other, at))
+                if at == about && either(other) == either(action))
         });
-        told.collect()
+        let key = self.whole(Force::Vector(action));
+        let all = self.sheet.bodies[..=index].iter().flat_map(|body| &body.acting);
+        let acting = all.into_iter().find(|acting| either(acting.action) == either(action))?;
+        if acting.couple != 0.0 {
+            return Some(Rich::fill(self.n.words.couple_passed, &[("force", self.symbol(action))]));
+        }
+        let size = libm::hypot(acting.force[0], acting.force[1]);
+        let moment: f64 = moments.terms.iter().map(|term| term.moment).sum();
+        if is_asked || size == 0.0 || moment == 0.0 || !self.figures.borrow().has(key) {
+            return None;
+        }
+        let factors = [
+            Factor::new(moment.abs(), &units.torque, "N·m").of(self.whole(of)),
+            Factor::new(size, &units.force, "N").of(key),
+        ];
+        let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
+        let result = Factor::new(moment.abs() / size, &units.length, "m");
+        let formula = symbol(of).up(OVER).then(&self.symbol(action));
+        let named = symbol(Force::Arm(action, about));
+        let equation = self.line(named, formula, &factors, quotient, |n| n[0] / n[1], result);
+        let parts =
+            [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
+        Some(Rich::fill(self.n.words.line_beside, &parts))
     }
 
     /// A force on a body of which moments have given both parts: it is laid off as what these make together.
@@ -1856,7 +1884,9 @@ impl Teller<'_> {
                 sum.abs() / moments.found.arm.map_or(1.0, |arm| arm.length)
             })
         };
-        let own = body.acting.iter().filter(|acting| !acting.closes && acting.parts.is_none());
+        // Of two forces there is no polygon in which the parts would be laid off.
+        let in_parts = |acting: &Acting| acting.parts.is_some() && body.acting.len() > 2;
+        let own = body.acting.iter().filter(|acting| !acting.closes && !in_parts(acting));
         let told = own.filter_map(|acting| {
             let keys = [self.part_key(acting.action), Key::Part(either(acting.action), false)];
             let [across, along] = [size_of(keys[0])?, size_of(keys[1])?];
@@ -2046,6 +2076,7 @@ impl Teller<'_> {
                 closes: true,
                 with_couple: false,
                 parts: None,
+                couple: 0.0,
             };
             items.push(Item::Sentence(self.read(&acting, per_mm)));
         }
@@ -2064,6 +2095,20 @@ impl Teller<'_> {
             else {
                 continue;
             };
+            if own.found.arm.is_none() && own.found.moment != 0.0 {
+                // Moments of a body have told its couple, or it is told here for all points.
+                let is_told = self.sheet.moments.iter().any(|moments| match moments.found.of {
+                    Turning::Torque(Force::Moment(other, _)) => either(other) == either(action),
+                    _ => false,
+                });
+                if !is_told && !couples.contains(&action) {
+                    couples.push(action);
+                    let parts =
+                        [("force", self.symbol(action)), ("moment", self.torque(own.found.moment))];
+                    items.push(Item::Sentence(Rich::fill(self.n.words.couple_left, &parts)));
+                }
+                continue;
+            }
             let Some(arm) = own.found.arm else {
                 let named = self.n.symbol(Quantity::Force(of, Share::Total), false);
                 let equation = named.up(EQUALS).up("0");

@@ -1,7 +1,7 @@
 //! The moments that gave a size, with the arms as they are measured: a foot on the line of the force, and a reading.
 
 use crate::board::{Line, Point};
-use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought, SpringKind};
+use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought, SpringKind, Through};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{LinkId, Path, PointId, Rider};
 
@@ -81,12 +81,33 @@ impl Draughtsman<'_> {
         moved: Option<Point>,
     ) -> Option<MomentTerm> {
         let items = self.items_of(action, self.told).ok()?;
+        let pull = self.sum_of(&items);
+        let point = self.couple_point(action);
+        let rests = self.components_of(pull).map(|part| self.board.is_no_amount(part)) == [true; 2];
+        if let (true, Some(point)) = (rests, point) {
+            // A pair that passes on no force has a couple at most, whose moment is one about every point.
+            let couple = self.pure_couple(&items);
+            return (couple != 0.0).then(|| torque(Force::Moment(action, point), couple));
+        }
         let foot = match moved {
             Some(at) => at,
             None => self.foot_of_line(&items)?,
         };
-        let pull = self.sum_of(&items);
         self.term_of_pull(Turning::Force(action), pull, foot, about)
+    }
+
+    /// The point by which the couple of a pair is named that passes on no force: where it acts; none of what is no pair.
+    fn couple_point(&self, action: Action) -> Option<PointId> {
+        let m = self.mechanism;
+        match action {
+            Action::OfPin(pin, _) | Action::OnPin(_, pin) => Some(pin),
+            Action::Pair { by, on } => match *m.pairs_between(by, on).first()? {
+                Through::Pin(pin) => Some(pin),
+                Through::Slide(slide) => m.pin_of_slide(slide),
+                Through::Roll(roll) => m.contacts.get(roll).copied(),
+            },
+            _ => None,
+        }
     }
 
     pub(super) fn term_of_pull(
@@ -133,60 +154,138 @@ impl Draughtsman<'_> {
         let mut all = Vec::new();
         for taken in taken {
             let Some(balance) = self.moment_balance(taken, bodies) else { continue };
+            // A couple without a force is told with the lines of guides: which body leads to it hangs on all of them.
+            let pure = |action: Action| Self::passes_a_couple(bodies, action);
             for term in &balance.terms {
-                all.extend(self.couple_told(term.of, balance.told, bodies));
+                if !matches!(term.of, Turning::Torque(Force::Moment(action, _)) if pure(action)) {
+                    all.extend(self.couple_told(term.of, balance.told, bodies));
+                }
             }
             all.push(balance);
         }
-        for slide in 0..self.mechanism.slides.len() {
-            let placed = self.line_in_guide(slide, &all, bodies);
-            all.extend(placed);
-        }
+        self.lines_in_guides(&mut all, bodies);
+        self.name_couples(&mut all, bodies);
         all
     }
 
-    /// Where a couple shifts what a straight guide exerts on its rider: the moments of the rider, which no balance has told yet.
-    fn line_in_guide(
+    /// Where a couple shifts what a straight guide exerts on its rider: the moments of a body on which no other such force
+    /// is open tell it, of the rider about its joint or of the link that carries the guide about one of its own; each that is
+    /// found may be what the next one needs. None of these is one of those that the balance has told.
+    fn lines_in_guides(&mut self, told: &mut Vec<MomentBalance>, bodies: &[FreeBody]) {
+        let is_told = |told: &[MomentBalance], pair: Action| {
+            told.iter().any(|moments| match moments.found.of {
+                Turning::Torque(Force::Moment(of, _)) => same_pair(of, pair),
+                _ => false,
+            })
+        };
+        let mut open: Vec<(PointId, Action)> = Vec::new();
+        for slide in 0..self.mechanism.slides.len() {
+            let guide = self.mechanism.slides[slide].guide;
+            let (rider, pin) = match self.mechanism.slides[slide].rider {
+                Rider::Pin { block: Some(block), point } => (block, point),
+                Rider::Link { link, .. } => match self.mechanism.link(link).points.first() {
+                    Some(first) => (link, *first),
+                    None => continue,
+                },
+                Rider::Pin { block: None, .. } => continue,
+            };
+            let pair = Action::Pair { by: guide.link, on: rider };
+            if !matches!(guide.path, Path::Straight { .. }) || is_told(told, pair) {
+                continue;
+            }
+            let Ok(items) = self.items_of(pair, self.told) else { continue };
+            let turned = |item: &super::Item| item.couple.is_some_and(|couple| couple.value() != 0.0);
+            if items.iter().any(turned) {
+                open.push((pin, pair));
+            }
+        }
+        while let Some((pair, moments)) =
+            (0..bodies.len()).find_map(|place| self.line_on_body(place, &open, told, bodies))
+        {
+            open.retain(|(_, other)| !same_pair(*other, pair));
+            let later = |other: &MomentBalance| other.told > moments.told;
+            let place = told.iter().position(later).unwrap_or(told.len());
+            told.insert(place, moments);
+        }
+    }
+
+    /// The moments of a body that tell the line of the one force of a guide on it whose line is open.
+    fn line_on_body(
         &mut self,
-        slide: usize,
+        place: usize,
+        open: &[(PointId, Action)],
         told: &[MomentBalance],
         bodies: &[FreeBody],
-    ) -> Option<MomentBalance> {
-        let guide = self.mechanism.slides[slide].guide;
-        let (rider, pin) = match self.mechanism.slides[slide].rider {
-            Rider::Pin { block: Some(block), point } => (block, point),
-            Rider::Link { link, .. } => (link, *self.mechanism.link(link).points.first()?),
-            Rider::Pin { block: None, .. } => return None,
+    ) -> Option<(Action, MomentBalance)> {
+        let body = bodies.get(place)?;
+        let Party::Link(link) = body.of else { return None };
+        let on_body = |pair: Action| body.acting.iter().find(|acting| same_pair(acting.action, pair));
+        let mut own = open.iter().filter_map(|(pin, pair)| Some((*pin, *pair, on_body(*pair)?.action)));
+        let (Some((pin, pair, action)), None) = (own.next(), own.next()) else { return None };
+        // What drives the body has to be found first.
+        let is_found = |of: Turning| told.iter().any(|moments| moments.found.of == of);
+        let driven =
+            |(of, _): &(Force, f64)| matches!(of, Force::Torque(_)) && !is_found(Turning::Torque(*of));
+        // The moments of one body give one number.
+        let taken = told.iter().any(|moments| moments.links == body.links());
+        if taken || body.torques.iter().any(driven) {
+            return None;
+        }
+        let rides = matches!(pair, Action::Pair { on, .. } if on == link);
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == self.told)?;
+        if !rides && !balance.leaning.rubs().is_empty() {
+            return None;
+        }
+        let hangs = |point: &PointId| body.acting.iter().any(|acting| self.passes(acting.action, *point));
+        let about = match rides {
+            true => pin,
+            false => {
+                let points = &self.mechanism.link(link).points;
+                *points.iter().find(|point| hangs(point)).or(points.first())?
+            }
         };
-        let pair = Action::Pair { by: guide.link, on: rider };
-        let is_told = |moments: &MomentBalance| match moments.found.of {
-            Turning::Torque(Force::Moment(of, _)) => same_pair(of, pair),
+        let mut moments = self.moments_for_guide(body, action, about)?;
+        // What the body's own polygon gives is known with it, what other moments give after these.
+        let needs = |moments: &MomentBalance, other: &MomentBalance| match other.found.of {
+            Turning::Torque(Force::Moment(of, _)) => moments.terms.iter().any(|term| match term.of {
+                Turning::Force(used) | Turning::Torque(Force::Moment(used, _)) => same_pair(used, of),
+                _ => false,
+            }),
             _ => false,
         };
-        if !matches!(guide.path, Path::Straight { .. }) || told.iter().any(is_told) {
-            return None;
-        }
-        let items = self.items_of(pair, self.told).ok()?;
-        if items.iter().filter_map(|item| item.couple).all(|couple| couple.value() == 0.0) {
-            return None;
-        }
-        let couple = Turning::Torque(Force::Moment(Action::Pair { by: rider, on: guide.link }, pin));
-        let mut moments = self.couple_told(couple, usize::MAX, bodies)?;
-        // What the body's own polygon gives is known after it.
-        let body = bodies.get(moments.told)?;
-        let open = |acting: &Acting| acting.known != Knowledge::Full && !same_pair(acting.action, pair);
-        let used = |acting: &Acting| {
-            moments.terms.iter().any(|term| matches!(term.of, Turning::Force(of) if of == acting.action))
-        };
-        if body.acting.iter().any(|acting| open(acting) && used(acting)) {
-            moments.told += 1;
-        }
+        let before = told.iter().filter(|other| needs(&moments, other)).map(|other| other.told).max();
+        moments.told = before.map_or(place, |before| before.max(place));
         // The moments of all else are what the guide has to take up, or something has none that could be told.
-        let at = self.at(pin);
-        let own = self.moments(&items, at)?.value();
+        let at = self.at(about);
+        let items = self.items_of(action, self.told).ok()?;
+        let whole = self.moments(&items, at)?.value();
         let largest = moments.terms.iter().map(|term| term.moment.abs()).fold(0.0, f64::max);
-        let closes = (own - moments.found.moment).abs() <= CLOSED * largest;
-        (closes && moments.told < bodies.len()).then_some(moments)
+        ((whole - moments.found.moment).abs() <= CLOSED * largest).then_some((pair, moments))
+    }
+
+    /// Whether a force is none, but a couple.
+    fn passes_a_couple(bodies: &[FreeBody], action: Action) -> bool {
+        let mut all = bodies.iter().flat_map(|body| &body.acting);
+        all.any(|acting| acting.couple != 0.0 && same_pair(acting.action, action))
+    }
+
+    /// The couple of a pair that passes on no force has one name, that by which it was found.
+    fn name_couples(&self, told: &mut [MomentBalance], bodies: &[FreeBody]) {
+        let pure = |action: Action| Self::passes_a_couple(bodies, action);
+        let found: Vec<(Action, PointId)> = told
+            .iter()
+            .filter_map(|moments| match moments.found.of {
+                Turning::Torque(Force::Moment(action, about)) if pure(action) => Some((action, about)),
+                _ => None,
+            })
+            .collect();
+        for term in told.iter_mut().flat_map(|moments| &mut moments.terms) {
+            if let Turning::Torque(Force::Moment(action, about)) = &mut term.of
+                && let Some((_, point)) = found.iter().find(|(other, _)| same_pair(*other, *action))
+            {
+                *about = *point;
+            }
+        }
     }
 
     /// The force of an arc on a block that something turns, or that of the block on the arc: along the line from the place
@@ -217,12 +316,19 @@ impl Draughtsman<'_> {
         let Turning::Torque(Force::Moment(Action::Pair { by: rider, on: guide }, pin)) = of else {
             return None;
         };
-        let (at, place) = (self.at(pin), bodies.iter().position(|body| body.has(rider))?);
+        let place = bodies.iter().position(|body| body.has(rider))?;
         let body = bodies.get(place)?;
         let pair = Action::Pair { by: guide, on: rider };
+        let moments = self.moments_for_guide(body, pair, pin)?;
+        Some(MomentBalance { links: vec![rider], told: told.min(place), ..moments })
+    }
+
+    /// The moments of a body about a point, which give the moment of the force of a guide on it.
+    fn moments_for_guide(&mut self, body: &FreeBody, pair: Action, about: PointId) -> Option<MomentBalance> {
+        let at = self.at(about);
         let mut terms = Vec::new();
         for acting in &body.acting {
-            if !same_pair(acting.action, pair) && !self.passes(acting.action, pin) {
+            if !same_pair(acting.action, pair) && !self.passes(acting.action, about) {
                 let place = if acting.with_couple {
                     self.items_of(acting.action, self.told).ok()?.first().map(|item| item.at)
                 } else {
@@ -234,18 +340,10 @@ impl Draughtsman<'_> {
         terms.extend(body.torques.iter().map(|(force, value)| torque(*force, *value)));
         terms.retain(|term| term.moment != 0.0);
         let size: f64 = terms.iter().map(|term| term.moment).sum();
-        let found = torque(Force::Moment(pair, pin), -size);
-        let told = told.min(place);
-        let about = Told::Point(pin);
+        let found = torque(Force::Moment(pair, about), -size);
+        let (links, about) = (body.links(), Told::Point(about));
         (size != 0.0).then(|| {
-            self.with_shared_arms(MomentBalance {
-                links: vec![rider],
-                told,
-                about,
-                terms,
-                found,
-                carried: None,
-            })
+            self.with_shared_arms(MomentBalance { links, told: 0, about, terms, found, carried: None })
         })
     }
 
@@ -254,6 +352,12 @@ impl Draughtsman<'_> {
         // A member of two forces gives only a line: the moments that give its force are told with it.
         let lends = match taken.found {
             TakenFor::Along { by, whole: true, .. } if self.has_two_forces(by) => Some(by),
+            // At a pin of several links the first of them needs both parts of its force.
+            TakenFor::Along { pin, by, on, .. } | TakenFor::Across { pin, by, on, .. }
+                if self.is_of_several(pin) =>
+            {
+                [by, on].into_iter().find(|link| !taken.links.contains(link))
+            }
             _ => None,
         };
         let told = taken.links.iter().copied().chain(lends).filter_map(place).min()?;
@@ -269,6 +373,7 @@ impl Draughtsman<'_> {
         let rubs_there = point.is_some_and(|pin| Self::rubs_at(&balance, pin));
         let mut terms: Vec<MomentTerm> = Vec::new();
         let mut found: Option<MomentTerm>;
+        let mut nothing: Option<Turning> = None;
         let mut without: Vec<Action> = Vec::new();
         // What turns with its pin: what rides for a link acts on it there.
         let mut riders: Vec<(LinkId, Point)> = Vec::new();
@@ -355,9 +460,13 @@ impl Draughtsman<'_> {
                 } else {
                     found = self.moment_term(action, about, Some(at));
                 }
+                // Where nothing turns the body, nothing presses on it.
+                let rests = self.acting(action, Knowledge::Line).is_some_and(|own| own.acts_not());
+                nothing = rests.then_some(Turning::Force(action));
                 let straight = parts.is_none();
-                if let (true, true, Party::Link(_)) =
-                    (straight, on_guide, self.mechanism.party_of(&pair.rider))
+                // Where its pin rubs, the force passes the point of contact at which it is taken.
+                if let (true, true, Party::Link(_), false) =
+                    (straight, on_guide, self.mechanism.party_of(&pair.rider), Self::rubs_at(&balance, pin))
                 {
                     let couple = self
                         .items_of(action, self.told)
@@ -482,11 +591,12 @@ impl Draughtsman<'_> {
             });
             found = place.map(|place| terms.remove(place));
         }
-        let found = found?;
+        let none = |of| MomentTerm { of, size: 0.0, arm: None, moment: 0.0 };
+        let found = found.or(nothing.filter(|_| terms.is_empty()).map(none))?;
         // What does not add up to nothing is no balance to be told.
         let sum = terms.iter().chain([&found]).map(|term| term.moment).sum::<f64>();
         let largest = terms.iter().chain([&found]).map(|term| term.moment.abs()).fold(0.0, f64::max);
-        if rubs && sum.abs() > CLOSED * largest {
+        if sum.abs() > CLOSED * largest {
             return None;
         }
         let about = match &taken.about {
@@ -570,6 +680,15 @@ impl Draughtsman<'_> {
         }
     }
 
+    /// Whether several links meet at a pin, each of which is in balance before the pin is, and the last one after it.
+    pub(super) fn is_of_several(&self, pin: PointId) -> bool {
+        let parties = self.mechanism.parties_at(pin);
+        parties.len() > 2
+            && !parties.contains(&LinkId::FRAME)
+            && self.mechanism.drive_of_pin(pin).is_none()
+            && self.carrier_of_whole(pin).is_none()
+    }
+
     /// The pin of what rides in the guide whose force these moments give.
     fn rider_pin(&self, taken: &Taken) -> Option<PointId> {
         match taken.found {
@@ -635,9 +754,16 @@ impl Draughtsman<'_> {
         for force in asked {
             let (Force::Arm(action, pin) | Force::Moment(action, pin)) = force else { continue };
             let at = self.at(pin);
+            if let Some(own) = self.acting(action, Knowledge::Full).filter(|own| own.couple != 0.0) {
+                // A couple has no arm.
+                let found = MomentTerm { of: Turning::Torque(force), ..torque(force, own.couple) };
+                let (links, about, terms) = (Vec::new(), Told::Point(pin), Vec::new());
+                all.push(MomentBalance { links, told: 1, about, terms, found, carried: None });
+                continue;
+            }
             let Some(term) = self.moment_term(action, at, None) else {
                 // What has a size and no arm passes through the point.
-                if let Some(own) = self.acting(action, super::super::construction::Knowledge::Full)
+                if let Some(own) = self.acting(action, Knowledge::Full)
                     && own.force != [0.0; 2]
                 {
                     let size = libm::hypot(own.force[0], own.force[1]);
@@ -721,7 +847,7 @@ impl Draughtsman<'_> {
             Action::OfPin(pin, _) | Action::OnPin(_, pin) => pin == about,
             Action::Pair { by, on } => {
                 let pairs = self.mechanism.pairs_between(by, on);
-                matches!(pairs[..], [crate::mechanism::force::Through::Pin(pin)] if pin == about)
+                matches!(pairs[..], [Through::Pin(pin)] if pin == about)
             }
             _ => false,
         }

@@ -94,9 +94,12 @@ impl<'m> Told<'m> {
     /// Whether the polygon of a body gives what is not found on it. Two forces on one line give each other only; a link that
     /// has no more is told for its line.
     fn closes(&self, body: &FreeBody, group: Group<'_>) -> bool {
-        let sized: Vec<&Acting> = body.acting.iter().filter(|acting| acting.force != [0.0; 2]).collect();
+        // Beside a couple that a force is zero is what a polygon tells.
+        let couples = body.acting.iter().any(|acting| acting.couple != 0.0);
+        let sized = body.acting.iter().filter(|acting| couples || acting.force != [0.0; 2]);
+        let sized: Vec<&Acting> = sized.collect();
         let open: Vec<usize> = sized.iter().map(|acting| self.open(acting)).collect();
-        let one_line = sized.len() == 2 && body.torques.is_empty();
+        let one_line = sized.len() == 2 && body.torques.is_empty() && !couples;
         let of_member = |links: &&[LinkId]| body.links().iter().all(|link| links.contains(link));
         // Moments of the other link give it, and are told with it.
         let lent = |moments: &MomentBalance| match moments.found.of {
@@ -228,10 +231,10 @@ impl<'m> Told<'m> {
     }
 }
 
-/// Whether moments are told at a body, as one of those of which they are taken.
+/// Whether moments are told at a body: as one of those of which they are taken, or as the one that needs them first.
 fn told_at(group: Group<'_>, body: usize, moments: &MomentBalance) -> bool {
     let of = |body: &FreeBody| moments.links.iter().any(|link| body.has(*link));
-    of(&group.bodies[body])
+    of(&group.bodies[body]) || moments.told == body
 }
 
 fn whole(part: &Part) -> Option<Action> {

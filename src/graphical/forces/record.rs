@@ -16,7 +16,7 @@ use super::super::construction::{
 };
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
-use super::{About, Balance, Taken, TakenFor, ThreeForces};
+use super::{About, Balance, Item, Taken, TakenFor, ThreeForces};
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
 const REACH: f64 = 0.6;
@@ -89,6 +89,9 @@ fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceS
             }
             None => {
                 let mut all = in_order(&links, &own);
+                if let Some(order) = d.one_by_one(&own, &all) {
+                    all = order;
+                }
                 all.extend(after.iter().map(|link| vec![*link]));
                 d.reordered(all, &own, &[], (&joined, &found))
             }
@@ -320,8 +323,14 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
             all.push(quantity);
         }
     }
-    for (torque, _) in sheet.bodies.iter().flat_map(|body| &body.torques) {
-        let quantity = Quantity::Force(*torque, sheet.share);
+    let torques = sheet.bodies.iter().flat_map(|body| &body.torques).map(|(torque, _)| *torque);
+    // The moment of a force that shifts its line, or of what has none.
+    let moments = sheet.moments.iter().filter_map(|moments| match moments.found.of {
+        Turning::Torque(moment @ Force::Moment(..)) => Some(moment),
+        _ => None,
+    });
+    for torque in torques.chain(moments) {
+        let quantity = Quantity::Force(torque, sheet.share);
         if !all.contains(&quantity) {
             all.push(quantity);
         }
@@ -390,6 +399,22 @@ impl Draughtsman<'_> {
             return order.iter().map(chunk).collect();
         }
         preferred.into_iter().map(Chunk::of).collect()
+    }
+
+    /// The two links whose moments give the parts of a force at a pin of several: one by one, since the polygon of the pin
+    /// stands between them. First the one that this force acts on.
+    fn one_by_one(&self, taken: &[&Taken], all: &[Vec<LinkId>]) -> Option<Vec<Vec<LinkId>>> {
+        let [Taken { found: TakenFor::Across { pin, by, on, .. }, .. }, _] = taken else { return None };
+        if !self.is_of_several(*pin) {
+            return None;
+        }
+        let first = match self.force_at_pin(*pin, *by, *on) {
+            Action::OnPin(link, _) | Action::OfPin(_, link) => link,
+            _ => return None,
+        };
+        let mut links: Vec<LinkId> = all.iter().flatten().copied().collect();
+        links.sort_by_key(|link| *link != first);
+        Some(links.into_iter().map(|link| vec![link]).collect())
     }
 
     /// A link cut free, with those that are taken with it as if they were one.
@@ -527,7 +552,17 @@ impl Draughtsman<'_> {
         let [at, foot] = [at, foot].map(|place| place.map(|mm| mm * per_mm));
         let through = if with_couple { at } else { foot };
         let closes = known != Knowledge::Full;
-        Some(Acting { action, at, through, force, known, closes, with_couple, parts: None })
+        let couple = if force == [0.0; 2] { self.pure_couple(&items) } else { 0.0 };
+        Some(Acting { action, at, through, force, known, closes, with_couple, parts: None, couple })
+    }
+
+    /// What is left of forces that come to nothing: their moment, which is one about every point.
+    pub(super) fn pure_couple(&mut self, items: &[Item]) -> f64 {
+        let Some(at) = items.first().map(|item| item.at) else { return 0.0 };
+        match self.moments(items, at) {
+            Some(moment) if !self.board.is_no_amount(moment) => moment.value(),
+            Some(_) | None => 0.0,
+        }
     }
 
     /// The force of a pair that rubs, as it stands on the paper.
@@ -821,7 +856,7 @@ impl Draughtsman<'_> {
         });
         // Within what has two forces together, and at a bare pin that is driven there, a pair passes nothing on.
         let passes_nothing = |own: &Acting| match own.action {
-            Action::Pair { by, on } if own.force == [0.0; 2] => {
+            Action::Pair { by, on } if own.acts_not() => {
                 let between = |links: &Vec<LinkId>| match links.len() {
                     1 => links.contains(&by) || links.contains(&on),
                     _ => links.contains(&by) && links.contains(&on),
