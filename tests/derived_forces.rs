@@ -12,8 +12,8 @@ use linkgram::graphical::construction::{
 use linkgram::mechanism::Mechanism;
 use linkgram::mechanism::force::{Action, Force, Party, Sought};
 use linkgram::mechanism::quantity::{Answer, Quantity};
-use linkgram::mechanism::{LinkId, PointId};
 use linkgram::mechanism::structure::Closing;
+use linkgram::mechanism::{LinkId, PointId};
 use linkgram::plan::Extent;
 use linkgram::{scene, sheet, solve};
 
@@ -190,15 +190,11 @@ fn unfounded(mechanism: &Mechanism, sheet: &ForceSheet) -> Vec<String> {
                         let slide = mechanism.slides[slide];
                         let guide = slide.guide.link;
                         let action = match mechanism.party_of(&slide.rider) {
-                            Party::Link(rider) => {
-                                Action::Pair { by: guide, on: rider }
-                            }
-                            Party::Pin(pin) => {
-                                match mechanism.parties_at(pin)[..] {
-                                    [one, other] => Action::Pair { by: one, on: other },
-                                    _ => Action::OnPin(guide, pin),
-                                }
-                            }
+                            Party::Link(rider) => Action::Pair { by: guide, on: rider },
+                            Party::Pin(pin) => match mechanism.parties_at(pin)[..] {
+                                [one, other] => Action::Pair { by: one, on: other },
+                                _ => Action::OnPin(guide, pin),
+                            },
                         };
                         reader.learn(Part::Whole(pair(action)));
                     }
@@ -225,7 +221,8 @@ fn unfounded(mechanism: &Mechanism, sheet: &ForceSheet) -> Vec<String> {
             if !reader.knows_all(moments) {
                 wrong.push(format!("moments of {:?} use what nothing found", moments.links));
             } else if !reader.sees_all(moments) {
-                wrong.push(format!("moments of {:?} have an arm to a line that nothing found", moments.links));
+                wrong
+                    .push(format!("moments of {:?} have an arm to a line that nothing found", moments.links));
             }
         }
         for body in &sheet.bodies[chunk.clone()] {
@@ -362,13 +359,16 @@ impl Truth<'_> {
                 return Some(format!("{:?}: {drawn} for a moment {moment}", acting.action));
             }
             if size <= 1e-9 && (drawn - moment).abs() > 1e-6 * scale.max(1e-6) {
-                return Some(format!("{:?} passes on no force: {drawn} for a couple {moment}", acting.action));
+                return Some(format!(
+                    "{:?} passes on no force: {drawn} for a couple {moment}",
+                    acting.action
+                ));
             }
             (largest, most) = (largest.max(size), most.max(moment.abs()));
             sum = [sum[0] + x, sum[1] + y];
             turned += moment;
         }
-        for (of, value) in &body.torques {
+        for (_, value) in &body.torques {
             most = most.max(value.abs());
             turned += value;
         }
@@ -379,7 +379,12 @@ impl Truth<'_> {
     }
 
     /// What a term of moments is, where it is that of a force of a pair.
-    fn of_term(&self, term: &MomentTerm, moments: &MomentBalance, construction: &Construction) -> Option<f64> {
+    fn of_term(
+        &self,
+        term: &MomentTerm,
+        moments: &MomentBalance,
+        construction: &Construction,
+    ) -> Option<f64> {
         let per_mm = construction.space.metres_per_mm;
         let stands = |point: PointId| construction.space.places[point.0].map(|at| at.map(|mm| mm * per_mm));
         let place = match moments.about {

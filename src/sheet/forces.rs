@@ -1332,7 +1332,8 @@ impl Free<'_> {
                 }
             }
         }
-        for (at, name) in self.touched(construction, notation) {
+        let touched = self.touched(construction, notation);
+        for (at, name) in touched.clone() {
             if places.iter().all(|(other, ..)| other.distance(at) > 1.0) {
                 let mut own = Group::new("touched");
                 own.mark(dot(at, 0.6).precise());
@@ -1405,14 +1406,17 @@ impl Free<'_> {
             let (on_line, near) = near(acting);
             let at = match frame.stand(acting, on_line, near) {
                 Stand::At(at) => {
-                    // What stands alone in the blank says how far off it is.
-                    let foot = near.and_then(|near| foot_on(acting, on_line, near));
-                    let alone = foot.zip(near).is_some_and(|(foot, near)| foot.distance(near) > ALONE);
-                    if let (true, Some(foot)) =
-                        (alone && tells_line(acting) && by_arm(acting).is_none(), foot)
+                    // What stands alone in the blank says how far off it is, from what is nearest to its line.
+                    let points = places.iter().map(|(at, ..)| *at).chain(touched.iter().map(|(at, _)| *at));
+                    let feet = points.filter_map(|at| Some((at, foot_on(acting, on_line, at)?)));
+                    let away = |(place, foot): &(Point, Point)| place.distance(*foot);
+                    let nearest = feet.min_by(|a, b| away(a).total_cmp(&away(b)));
+                    if let Some((place, foot)) = nearest.filter(|feet| away(feet) > ALONE)
+                        && tells_line(acting)
+                        && by_arm(acting).is_none()
                     {
                         let force = (acting, on_line, foot);
-                        far_off(&mut group, &mut requests, force, near, (construction, notation));
+                        far_off(&mut group, &mut requests, force, Some(place), (construction, notation));
                     }
                     at
                 }

@@ -1868,8 +1868,7 @@ impl Teller<'_> {
         let formula = symbol(of).up(OVER).then(&self.symbol(action));
         let named = symbol(Force::Arm(action, about));
         let equation = self.line(named, formula, &factors, quotient, |n| n[0] / n[1], result);
-        let parts =
-            [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
+        let parts = [("force", self.symbol(action)), ("point", self.n.point(about)), ("equation", equation)];
         Some(Rich::fill(self.n.words.line_beside, &parts))
     }
 
@@ -2103,8 +2102,7 @@ impl Teller<'_> {
                 });
                 if !is_told && !couples.contains(&action) {
                     couples.push(action);
-                    let parts =
-                        [("force", self.symbol(action)), ("moment", self.torque(own.found.moment))];
+                    let parts = [("force", self.symbol(action)), ("moment", self.torque(own.found.moment))];
                     items.push(Item::Sentence(Rich::fill(self.n.words.couple_left, &parts)));
                 }
                 continue;
