@@ -1402,7 +1402,10 @@ impl Free<'_> {
             })
             .collect();
         let mut arrows = arrows.into_iter();
-        for acting in self.acting {
+        // What has neither a size nor a line finds its place beside all that has.
+        let mut in_turn: Vec<&Acting> = self.acting.iter().collect();
+        in_turn.sort_by_key(|acting| acting.known == Knowledge::Nothing && acting.parts.is_none());
+        for acting in in_turn {
             let (on_line, near) = near(acting);
             let at = match frame.stand(acting, on_line, near) {
                 Stand::At(at) => {
@@ -1457,9 +1460,22 @@ impl Free<'_> {
             let known = !matches!(torque, Force::Torque(_));
             (first, *torque, *value, known)
         });
+        // A couple stands anywhere on its body.
+        let on_body = |at: Point| {
+            let beside = |place: Point| at.distance(place);
+            let on_bar = all_bars.iter().any(|(a, b)| {
+                let along = (*b - *a).normalize();
+                let reach = (at - *a).dot(along).clamp(0.0, a.distance(*b));
+                at.distance(*a + along * reach) < 1.0
+            });
+            let nearest = places.iter().map(|(place, ..)| *place);
+            let nearest = nearest.min_by(|a, b| beside(*a).total_cmp(&beside(*b)));
+            if on_bar { at } else { nearest.unwrap_or(at) }
+        };
         let couples = self.acting.iter().filter_map(|acting| {
             let couple = couple_name(sheet, acting)?;
-            Some((on_page(acting.at, construction), couple, acting.couple, acting.known == Knowledge::Full))
+            let at = on_body(on_page(acting.at, construction));
+            Some((at, couple, acting.couple, acting.known == Knowledge::Full))
         });
         let mut arcs: Vec<Point> = Vec::new();
         for (at, torque, value, known) in torques.chain(couples) {
@@ -1590,7 +1606,7 @@ const TURNS_OF_A_WAVE: u32 = 6;
 fn waves_over((from, to): Stretch, (a, b): Stretch) -> bool {
     const PARTS: u32 = 20;
     const SWING: f64 = 2.0;
-    const MOST: usize = 6;
+    const MOST: usize = 8;
     let length = a.distance(b);
     if length <= 0.0 {
         return false;

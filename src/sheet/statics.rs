@@ -1852,11 +1852,20 @@ impl Teller<'_> {
         let all = self.sheet.bodies[..=index].iter().flat_map(|body| &body.acting);
         let acting = all.into_iter().find(|acting| either(acting.action) == either(action))?;
         if acting.couple != 0.0 {
-            return Some(Rich::fill(self.n.words.couple_passed, &[("force", self.symbol(action))]));
+            let size = {
+                let value = moments.found.moment.abs();
+                let number = self.figures.borrow_mut().tell(self.whole(of), value, &units.torque);
+                human::with_unit(&number, &units.torque.symbol)
+            };
+            let moment = size.word(self.n.sense(moments.found.moment));
+            let parts = [("force", self.symbol(action)), ("moment", moment)];
+            return Some(Rich::fill(self.n.words.couple_passed, &parts));
         }
         let size = libm::hypot(acting.force[0], acting.force[1]);
         let moment: f64 = moments.terms.iter().map(|term| term.moment).sum();
-        if is_asked || size == 0.0 || moment == 0.0 || !self.figures.borrow().has(key) {
+        // Beside a point of contact it is told no distance.
+        let at_point = matches!(moments.about, About::Point(_));
+        if is_asked || !at_point || size == 0.0 || moment == 0.0 || !self.figures.borrow().has(key) {
             return None;
         }
         let factors = [

@@ -244,7 +244,7 @@ impl Draughtsman<'_> {
                 *points.iter().find(|point| hangs(point)).or(points.first())?
             }
         };
-        let mut moments = self.moments_for_guide(body, action, about)?;
+        let mut moments = self.moments_for_guide(body, action, (about, None))?;
         // What the body's own polygon gives is known with it, what other moments give after these.
         let needs = |moments: &MomentBalance, other: &MomentBalance| match other.found.of {
             Turning::Torque(Force::Moment(of, _)) => moments.terms.iter().any(|term| match term.of {
@@ -319,13 +319,23 @@ impl Draughtsman<'_> {
         let place = bodies.iter().position(|body| body.has(rider))?;
         let body = bodies.get(place)?;
         let pair = Action::Pair { by: guide, on: rider };
-        let moments = self.moments_for_guide(body, pair, pin)?;
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == self.told)?;
+        let balance = balance.clone();
+        // Where its pin rubs, its force acts at the point of contact.
+        let touch = Self::rubs_at(&balance, pin).then(|| self.touch_at(&balance, pin, rider));
+        let moments = self.moments_for_guide(body, pair, (pin, touch))?;
         Some(MomentBalance { links: vec![rider], told: told.min(place), ..moments })
     }
 
-    /// The moments of a body about a point, which give the moment of the force of a guide on it.
-    fn moments_for_guide(&mut self, body: &FreeBody, pair: Action, about: PointId) -> Option<MomentBalance> {
-        let at = self.at(about);
+    /// The moments of a body about a point, or about the point of contact there, which give the moment of the force of a guide
+    /// on it.
+    fn moments_for_guide(
+        &mut self,
+        body: &FreeBody,
+        pair: Action,
+        (about, touch): (PointId, Option<Point>),
+    ) -> Option<MomentBalance> {
+        let at = touch.unwrap_or(self.at(about));
         let mut terms = Vec::new();
         for acting in &body.acting {
             if !same_pair(acting.action, pair) && !self.passes(acting.action, about) {
@@ -341,7 +351,12 @@ impl Draughtsman<'_> {
         terms.retain(|term| term.moment != 0.0);
         let size: f64 = terms.iter().map(|term| term.moment).sum();
         let found = torque(Force::Moment(pair, about), -size);
-        let (links, about) = (body.links(), Told::Point(about));
+        let per_mm = self.length_scale().si_per_mm;
+        let about = match touch {
+            Some(at) => Told::Contact { pin: about, at: at.value().map(|mm| mm * per_mm) },
+            None => Told::Point(about),
+        };
+        let links = body.links();
         (size != 0.0).then(|| {
             self.with_shared_arms(MomentBalance { links, told: 0, about, terms, found, carried: None })
         })
@@ -422,6 +437,10 @@ impl Draughtsman<'_> {
                     let foot = self.board.step_off(whole.tail, contact.push, size);
                     let pressing = super::Pull { tail: whole.tail, head: foot };
                     let driving = super::Pull { tail: foot, head: whole.head };
+                    let rests =
+                        self.components_of(driving).map(|part| self.board.is_no_amount(part)) == [true; 2];
+                    // Where nothing turns the wheel, nothing drives it.
+                    nothing = (rests && !presses).then_some(Turning::Across(action));
                     let driving = self.term_of_pull(Turning::Across(action), driving, contact.at, about);
                     if presses {
                         terms.extend(driving);
@@ -464,17 +483,17 @@ impl Draughtsman<'_> {
                 let rests = self.acting(action, Knowledge::Line).is_some_and(|own| own.acts_not());
                 nothing = rests.then_some(Turning::Force(action));
                 let straight = parts.is_none();
-                // Where its pin rubs, the force passes the point of contact at which it is taken.
-                if let (true, true, Party::Link(_), false) =
-                    (straight, on_guide, self.mechanism.party_of(&pair.rider), Self::rubs_at(&balance, pin))
+                if let (true, true, Party::Link(block)) =
+                    (straight, on_guide, self.mechanism.party_of(&pair.rider))
                 {
-                    let couple = self
-                        .items_of(action, self.told)
-                        .ok()?
-                        .iter()
-                        .find_map(|item| item.couple)
-                        .map(|couple| couple.value())
-                        .filter(|couple| *couple != 0.0);
+                    let items = self.items_of(action, self.told).ok()?;
+                    let couple = match (Self::rubs_at(&balance, pin), balance.on(block).is_empty()) {
+                        // Two forces on the block: that of its guide passes the point of contact.
+                        (true, true) => None,
+                        (true, false) => self.moments(&items, at),
+                        (false, _) => items.iter().find_map(|item| item.couple),
+                    };
+                    let couple = couple.map(|couple| couple.value()).filter(|couple| *couple != 0.0);
                     terms.extend(couple.map(|couple| torque(Force::Moment(action, pin), couple)));
                 }
                 if let (true, TakenFor::Slide(_), Party::Link(block)) =
@@ -596,7 +615,11 @@ impl Draughtsman<'_> {
         // What does not add up to nothing is no balance to be told.
         let sum = terms.iter().chain([&found]).map(|term| term.moment).sum::<f64>();
         let largest = terms.iter().chain([&found]).map(|term| term.moment.abs()).fold(0.0, f64::max);
-        if sum.abs() > CLOSED * largest {
+        // Forces that pass the point within what can be measured have no arm.
+        let own = bodies.iter().filter(own).flat_map(|body| &body.acting);
+        let forces: f64 = own.map(|acting| libm::hypot(acting.force[0], acting.force[1])).sum();
+        let unmeasured = if rubs { 0.0 } else { NO_ARM * self.length_scale().si_per_mm * forces };
+        if sum.abs() > CLOSED * largest + unmeasured {
             return None;
         }
         let about = match &taken.about {

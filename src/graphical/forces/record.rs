@@ -10,6 +10,7 @@ use crate::mechanism::structure::Closing;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
+use super::super::construction::About as Told;
 use super::super::construction::{
     Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, Member, MomentBalance, SpringTwist,
     Stiffness, Touch, Turning,
@@ -325,8 +326,8 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
     }
     let torques = sheet.bodies.iter().flat_map(|body| &body.torques).map(|(torque, _)| *torque);
     // The moment of a force that shifts its line, or of what has none.
-    let moments = sheet.moments.iter().filter_map(|moments| match moments.found.of {
-        Turning::Torque(moment @ Force::Moment(..)) => Some(moment),
+    let moments = sheet.moments.iter().filter_map(|moments| match (moments.found.of, moments.about) {
+        (Turning::Torque(moment @ Force::Moment(..)), Told::Point(_)) => Some(moment),
         _ => None,
     });
     for torque in torques.chain(moments) {
