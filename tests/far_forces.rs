@@ -116,3 +116,35 @@ fn springs_are_told_by_size_and_sense() {
         }
     }
 }
+
+/// An Oldham coupling turns both shafts alike: 25 N·m against the one that is driven need 25 N·m at the other. Nothing else
+/// passes than this couple, on each of the three links by an arc, turned round from one to the next.
+#[test]
+fn a_couple_passes_from_link_to_link() {
+    let figure = sheet(include_str!("derived/oldham-couple.json"));
+    let text = told(&figure).replace('\n', " ");
+    assert!(text.contains("T2 = MC(F32) = 25 N·m ccw."), "{text}");
+    assert!(!text.contains("Only two forces act on link 3"), "{text}");
+    let svg = linkgram::render::render(&figure, Format::Svg, &Options::default()).unwrap();
+    let svg = String::from_utf8(svg).unwrap();
+    for (quantity, value) in [
+        ("moment(F(3,4),O4)", "25"),
+        ("moment(F(4,3),O4)", "-25"),
+        ("moment(F(2,3),C)", "25"),
+        ("moment(F(3,2),C)", "-25"),
+    ] {
+        let arc = format!(r#"data-quantity="{quantity}" data-value="{value}""#);
+        assert!(svg.contains(&arc), "{arc}");
+    }
+}
+
+/// A couple has no arm: where nothing else is asked there is no figure of arms.
+#[test]
+fn no_figure_of_arms_stands_without_an_arm() {
+    let text = told(&sheet(include_str!("derived/yoke-couple.json"))).replace('\n', " ");
+    assert!(
+        text.contains("F14 is zero: what is left is a couple, whose moment about every point is 2.0"),
+        "{text}"
+    );
+    assert!(!text.contains("Arms of forces, scale"), "{text}");
+}
