@@ -404,13 +404,21 @@ impl Truth<'_> {
                 return Some((at[0] - place[0]) * y - (at[1] - place[1]) * x);
             }
         }
-        // The couple beside it is a term of its own: it is taken through the joint.
+        // The couple beside it is a term of its own: it is taken through the joint, or where the pin there touches its circle.
+        let touches = self.sheet.moments.iter().find_map(|other| match (other.found.of, other.about) {
+            (Turning::Torque(Force::Moment(of, _)), About::Contact { at, .. })
+                if pair(of) == pair(action) =>
+            {
+                Some(at)
+            }
+            _ => None,
+        });
         let beside = moments.terms.iter().find_map(|other| match other.of {
             Turning::Torque(Force::Moment(of, about)) if pair(of) == pair(action) => Some(about),
             _ => None,
         });
         if let Some(joint) = beside {
-            let (at, [x, y]) = (stands(joint)?, self.vector(action)?);
+            let (at, [x, y]) = (touches.or(stands(joint))?, self.vector(action)?);
             return Some((at[0] - place[0]) * y - (at[1] - place[1]) * x);
         }
         self.moment(action, place)
