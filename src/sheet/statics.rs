@@ -1848,6 +1848,11 @@ impl Teller<'_> {
             matches!(own.found.of, Turning::Torque(Force::Arm(other, at) | Force::Moment(other, at))
                 if at == about && either(other) == either(action))
         });
+        // Unless other moments have an arm to it.
+        let uses = |term: &MomentTerm| matches!(term.of, Turning::Force(of) if either(of) == either(action));
+        let others = self.sheet.moments.iter().filter(|other| !std::ptr::eq(*other, moments));
+        let is_used = others.flat_map(|other| &other.terms).any(uses);
+        let is_asked = is_asked && !is_used;
         let key = self.whole(Force::Vector(action));
         let all = self.sheet.bodies[..=index].iter().flat_map(|body| &body.acting);
         let acting = all.into_iter().find(|acting| either(acting.action) == either(action))?;
