@@ -1540,12 +1540,15 @@ fn lines_of_parts(
     drawn
 }
 
+/// The joints of what is cut free, the strokes of its links, and those of the forces that are drawn on it.
+type Around<'a> = (&'a [(Point, Rich, bool)], &'a [Stretch], &'a [Stretch]);
+
 /// A force of which only the line is known, or nothing but where it acts: its stroke.
 fn unknown(
     (group, requests): (&mut Group, &mut Vec<Request>),
     acting: &Acting,
     (known, at): (Knowledge, Point),
-    (places, bars, taken): (&[(Point, Rich, bool)], &[Stretch], &[Stretch]),
+    (places, bars, taken): Around<'_>,
     notation: &Notation<'_>,
 ) -> Stretch {
     let mechanism = notation.mechanism();
