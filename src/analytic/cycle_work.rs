@@ -61,7 +61,7 @@ impl<'a> OwnTorque<'a> {
     /// # Errors
     /// Why the period does not close.
     pub(super) fn new(standing: Standing<'a>, sign: f64, period: f64) -> Told<Self> {
-        wound_up_as_before(standing, period)?;
+        standing(0.0).map_or(Ok(()), |mechanism| wound_up_as_before(&mechanism, standing, period))?;
         let knots = standing(0.0).map_or_else(Vec::new, |mechanism| {
             mechanism.forces.knots().iter().map(|knot| knot.map(|given| given.value)).collect()
         });
@@ -447,8 +447,7 @@ impl<'a> OwnTorque<'a> {
 
 /// Whether the links of every torsion spring have turned back against each other at the end of a period: their angles are
 /// followed from place to place.
-fn wound_up_as_before(standing: Standing<'_>, period: f64) -> Told<()> {
-    let Some(mechanism) = standing(0.0) else { return Ok(()) };
+fn wound_up_as_before(mechanism: &Mechanism, standing: Standing<'_>, period: f64) -> Told<()> {
     for spring in mechanism.springs_that_wind_up() {
         let SpringKind::Torsion([first, second]) = mechanism.forces.springs[spring].kind else { continue };
         let turned = |at: f64| {
