@@ -185,7 +185,7 @@ impl ForceName<'_, '_, '_> {
         let link = self.link(text)?;
         if link == LinkId::FRAME {
             let what = "link 1 is the frame and has no mass";
-            return Err(self.fault(what.to_owned()).mend("ask for that of a moving link"));
+            return Err(self.fault(what).mend("ask for that of a moving link"));
         }
         if self.draft.mechanism.forces.mass(link).is_none() {
             return Err(self.fault(format!("{} has no mass", self.draft.say(link))).mend(format!(

@@ -600,7 +600,7 @@ fn goes_on((from, to): Stretch, all: &[Stretch]) -> bool {
         start.min(end) < NAME && start.max(end) > -NAME
     };
     let others = all.iter().filter(|(a, b)| a.distance(from) > 1e-6 || b.distance(to) > 1e-6);
-    others.filter(|other| in_line(other)).any(|other| next_to_head(other))
+    others.filter(|other| in_line(other)).any(next_to_head)
 }
 
 /// An arrow at a place, whose length only hints at the size; all arrows of the drawing tell where its name stands.
