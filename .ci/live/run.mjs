@@ -230,10 +230,10 @@ test('the ink is where the numbers say', async () => {
 test('a wrong move is noticed', async () => {
   const html = pageOf(slider);
   for (const [from, to] of [
-    [',y=-(at[1]- origin', ',y=(at[1]- origin'],
+    [',y=-(at[1]-origin', ',y=(at[1]-origin'],
     ['at[axis]+=sign*value;', 'at[axis]-=sign*value;'],
     ['const d=minus(b,a),length=sizeOf(d);const short', 'const d=minus(a,b),length=sizeOf(d);const short'],
-    ['s=(to.x.y*from.x.x - to.x.x*from.x.y)/ n', 's=-(to.x.y*from.x.x - to.x.x*from.x.y)/ n'],
+    ['s=(to.x.y*from.x.x-to.x.x*from.x.y)/ n', 's=-(to.x.y*from.x.x-to.x.x*from.x.y)/ n'],
   ]) {
     await assert.rejects(inkOf(changed(html, from, to), [0.21, 0.55]), `nobody noticed ${to}`);
     trouble.length = 0;
@@ -915,7 +915,7 @@ test('a scene states how its page opens', async () => {
   writeFileSync(file, JSON.stringify(scene));
   const page = await open(pageOf(file));
   assert.deepEqual(await page.evaluate(() => [
-    document.querySelector('input[type=number]').value, document.querySelectorAll('.trace').length,
+    document.querySelector('input.number:not(#exact)').value, document.querySelectorAll('.trace').length,
     document.querySelectorAll('.diagram .curve[d]').length, document.getElementById('scale').getAttribute('aria-pressed'),
   ]), ['20', 1, 1, 'true']);
   const shown = () => page.evaluate(() => [...document.querySelectorAll('#stage .panel')].map((panel) => panel.offsetWidth > 0));

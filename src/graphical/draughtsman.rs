@@ -185,25 +185,6 @@ pub(super) struct Draughtsman<'m> {
     record: Construction,
 }
 
-/// The frame, and every link that slides without turning against one of these.
-fn translating(mechanism: &Mechanism) -> Vec<bool> {
-    let mut translates = vec![false; mechanism.links.len()];
-    let mut found = vec![LinkId::FRAME];
-    while let Some(link) = found.pop() {
-        if std::mem::replace(&mut translates[link.0], true) {
-            continue;
-        }
-        for slide in &mechanism.slides {
-            let Rider::Link { link: rider, .. } = slide.rider else { continue };
-            let pair = [rider, slide.guide.link];
-            if pair.contains(&link) {
-                found.extend(pair.into_iter().filter(|&other| other != link));
-            }
-        }
-    }
-    translates
-}
-
 /// Newtons per millimetre at which the paper numbers of the given forces are of order 100: a power of two, so that no
 /// digit depends on it.
 fn newtons_per_mm(mechanism: &Mechanism) -> f64 {
@@ -274,7 +255,7 @@ impl<'m> Draughtsman<'m> {
                 rotations: vec![None; links],
                 slidings: vec![None; mechanism.slides.len()],
             }),
-            translates: translating(mechanism),
+            translates: mechanism.translating(),
             feet: Vec::new(),
             coincident: Vec::new(),
             rolling_speeds: vec![None; mechanism.rolls.len()],

@@ -845,7 +845,9 @@ fn panel(
     } else {
         let construction = drawn.constructions.first()?;
         let polygon = construction.diagram(kind)?;
-        polygon_ink(&mut panel, index, first, polygon, &sketch.labels, &drawn.names);
+        let others = drawn.constructions.iter().skip(1).filter_map(|other| other.diagram(kind));
+        let polygons: Vec<&Diagram> = std::iter::once(polygon).chain(others).collect();
+        polygon_ink(&mut panel, index, first, &polygons, &sketch.labels, &drawn.names);
         spots.extend(names_of_polygon(polygon, &sketch.labels, &panel, &drawn.names));
     }
     panel.shown = shown(&panel, course, start);
@@ -1426,25 +1428,45 @@ fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder
     }
 }
 
+/// The images at which a construction line begins and which it helped to find, by place. Where they are tells, in all polygons
+/// that have the line: at the scene's own position, of the first one, others may fall on them.
+fn ends_of_line(number: usize, polygons: &[&Diagram], labels: &[Label]) -> Option<[usize; 2]> {
+    let told = |line: &ConstructionLine| match line {
+        ConstructionLine::Ray { from, to, claim, step } => Some(((*claim, *step), [*from, *to])),
+        ConstructionLine::Arc { .. } => None,
+    };
+    let lines = &polygons.first()?.lines;
+    let (key, _) = told(lines.get(number)?)?;
+    let alike = |line: &&ConstructionLine| told(line).is_some_and(|(other, _)| other == key);
+    let rank = lines[..number].iter().filter(alike).count();
+    let ends = |polygon: &&Diagram| Some(told(polygon.lines.iter().filter(alike).nth(rank)?)?.1);
+    let of_all: Vec<(&Diagram, [[f64; 2]; 2])> =
+        polygons.iter().filter_map(|polygon| Some((*polygon, ends(polygon)?))).collect();
+    let stands = |polygon: &Diagram, label: Label| match polygon.images.iter().find(|own| own.label == label)
+    {
+        Some(image) => Some(image.at),
+        None => (label == Label::Pole).then_some([0.0; 2]),
+    };
+    let is_end = |end: usize, label: Label| {
+        let mut met = of_all.iter().map(|(polygon, ends)| {
+            stands(polygon, label).map(|at| libm::hypot(at[0] - ends[end][0], at[1] - ends[end][1]) < 1e-9)
+        });
+        met.next() == Some(Some(true)) && met.all(|met| met != Some(false))
+    };
+    let [from, to] = [0, 1].map(|end| labels.iter().position(|label| is_end(end, *label)));
+    Some([from?, to?])
+}
+
 fn polygon_ink(
     panel: &mut Panel,
     index: usize,
     diagram: &Drawing,
-    polygon: &Diagram,
+    polygons: &[&Diagram],
     labels: &[Label],
     names: &Names,
 ) {
+    let Some(polygon) = polygons.first() else { return };
     let place = |label: Label| labels.iter().position(|own| *own == label);
-    let near = |at: [f64; 2]| {
-        // What a line leads to is an image, by where it is.
-        let image =
-            polygon.images.iter().find(|image| libm::hypot(image.at[0] - at[0], image.at[1] - at[1]) < 1e-9);
-        match image {
-            Some(image) => place(image.label),
-            None if libm::hypot(at[0], at[1]) < 1e-9 => place(Label::Pole),
-            None => None,
-        }
-    };
     for node in &diagram.ink.children {
         let Node::Group(own) = node else { continue };
         let mut own = own.clone();
@@ -1462,12 +1484,7 @@ fn polygon_ink(
             'v' => {
                 polygon.vectors.get(number).and_then(|v| Some(Move::Vector([place(v.tail)?, place(v.head)?])))
             }
-            'r' => match polygon.lines.get(number) {
-                Some(ConstructionLine::Ray { from, to, .. }) => {
-                    near(*from).zip(near(*to)).map(|(from, to)| Move::Ray([from, to]))
-                }
-                _ => None,
-            },
+            'r' => ends_of_line(number, polygons, labels).map(Move::Ray),
             'p' => polygon.images.get(number).and_then(|i| Some(Move::Whole(Frame::At(place(i.label)?)))),
             'l' => polygon.link_images.get(number).and_then(|image_of| {
                 let corners = image_of.corners.iter().map(|(point, _)| image(*point));

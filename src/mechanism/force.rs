@@ -666,28 +666,15 @@ impl Mechanism {
         }
     }
 
-    /// Whether a link is the frame, or slides on a straight guide of one that never turns without turning against it.
+    /// Whether a link is the frame, slides without turning against a link that never turns, or is a block on its straight guide.
     fn never_turns(&self, link: LinkId) -> bool {
-        let mut never = vec![false; self.links.len()];
-        let mut found = vec![LinkId::FRAME];
-        while let Some(still) = found.pop() {
-            if std::mem::replace(&mut never[still.0], true) {
-                continue;
-            }
-            for slide in
-                self.slides.iter().filter(|slide| matches!(slide.guide.path, super::Path::Straight { .. }))
-            {
-                let (Rider::Link { link: rider, .. } | Rider::Pin { block: Some(rider), .. }) = slide.rider
-                else {
-                    continue;
-                };
-                let pair = [rider, slide.guide.link];
-                if pair.contains(&still) {
-                    found.extend(pair.into_iter().filter(|&other| other != still));
-                }
-            }
-        }
-        never[link.0]
+        let translating = self.translating();
+        let block = |slide: &super::Slide| {
+            matches!(slide.rider, Rider::Pin { block: Some(block), .. } if block == link)
+                && matches!(slide.guide.path, super::Path::Straight { .. })
+        };
+        let mut guides = self.slides.iter().filter(|slide| block(slide));
+        translating[link.0] || guides.any(|slide| translating[slide.guide.link.0])
     }
 
     /// The link that an input drives by its angle.

@@ -408,6 +408,26 @@ impl Link {
 }
 
 impl Mechanism {
+    /// By link: whether it is the frame, or slides without turning against a link of which that is so.
+    #[must_use]
+    pub fn translating(&self) -> Vec<bool> {
+        let mut translates = vec![false; self.links.len()];
+        let mut found = vec![LinkId::FRAME];
+        while let Some(link) = found.pop() {
+            if std::mem::replace(&mut translates[link.0], true) {
+                continue;
+            }
+            for slide in &self.slides {
+                let Rider::Link { link: rider, .. } = slide.rider else { continue };
+                let pair = [rider, slide.guide.link];
+                if pair.contains(&link) {
+                    found.extend(pair.into_iter().filter(|&other| other != link));
+                }
+            }
+        }
+        translates
+    }
+
     /// The sliding pair of a block that rides on an arc, with its pin.
     #[must_use]
     pub fn arc_of_block(&self, link: LinkId) -> Option<(usize, PointId)> {

@@ -447,3 +447,43 @@ fn a_page_that_stands_still_says_why_and_not_where_its_scene_lies() {
 fn scene_of(name: &str, file: &str) -> Scene {
     linkgram::scene::read(kind(name), file).unwrap()
 }
+
+/// The lines of a construction lead from image to image wherever a page is opened: where two of these fall together there, the
+/// lines are those of the same mechanism opened elsewhere. At 0° a crank has no tangential part in its rod, at 90° the rod of a
+/// central slider-crank does not turn.
+#[test]
+fn lines_are_the_same_wherever_a_page_is_opened() {
+    let lines = |angle: u32| {
+        let scene = common::read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }}, "3": {{ "joins": ["A", "B"], "length": 180 }} }},
+            "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }} ],
+            "near": {{ "B": [200, 0] }}, "input": {{ "link": 2, "angle": {angle}, "omega": "20 rad/s" }},
+            "find": ["v(B)", "a(B)", "omega(3)", "alpha(3)"] }}"#
+        ));
+        let data = data_of(&scene).unwrap();
+        let name = |index: &Value| {
+            let output = &data["outputs"][index.as_u64().unwrap() as usize];
+            format!("{} {}", output["name"], output["axis"])
+        };
+        let place = |panel: usize, index: &Value| -> Vec<String> {
+            let terms = data["panels"][panel]["places"][index.as_u64().unwrap() as usize].as_array().unwrap();
+            terms.iter().map(|term| format!("{}{}", term[0], name(&term[1]))).collect()
+        };
+        let rays = data["ink"].as_array().unwrap().iter().filter(|ink| ink["move"] == "ray");
+        let mut all: Vec<(u64, Vec<Vec<String>>)> = rays
+            .map(|ink| {
+                let panel = ink["panel"].as_u64().unwrap();
+                let ends = ink["at"].as_array().unwrap();
+                (panel, ends.iter().map(|end| place(panel as usize, end)).collect())
+            })
+            .collect();
+        all.sort();
+        all
+    };
+    let elsewhere = lines(50);
+    assert!(elsewhere.len() >= 4, "{elsewhere:?}");
+    for angle in [0, 90] {
+        assert_eq!(lines(angle), elsewhere, "{angle}");
+    }
+}
