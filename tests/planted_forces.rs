@@ -689,6 +689,20 @@ impl Planted {
         })
     }
 
+    /// A mistake of a four-bar of this seed.
+    fn in_four_bar(mistake: Mistake, seed: u64) -> Self {
+        let mut slips = Dice(seed * 37 + 11);
+        let bars = FourBar::new(&mut Dice(seed * 631 + 17 * mistake as u64 + 3));
+        Self {
+            name: mistake.of_four_bar(),
+            kind: mistake.name(),
+            scene: bars.scene(),
+            right: bars.answers(Mistake::None, &mut || 0.0),
+            own: bars.answers(mistake, &mut || 0.0),
+            written: bars.answers(mistake, &mut || slips.between(-SLIP, SLIP)),
+        }
+    }
+
     fn count(&self, seed: u64, named: &mut Confusion) {
         if self.kind != RIGHT && !self.is_seen() {
             return;
@@ -731,19 +745,7 @@ fn campaign(each: u64) -> Confusion {
             .count(seed, &mut named);
         }
         for mistake in [Mistake::None].into_iter().chain(FourBar::MISTAKES) {
-            let mut dice = Dice(seed * 631 + 17 * mistake as u64 + 3);
-            let mut slips = Dice(seed * 37 + 11);
-            let mut slip = || slips.between(-SLIP, SLIP);
-            let bars = FourBar::new(&mut dice);
-            Planted {
-                name: mistake.of_four_bar(),
-                kind: mistake.name(),
-                scene: bars.scene(),
-                right: bars.answers(Mistake::None, &mut || 0.0),
-                own: bars.answers(mistake, &mut || 0.0),
-                written: bars.answers(mistake, &mut slip),
-            }
-            .count(seed, &mut named);
+            Planted::in_four_bar(mistake, seed).count(seed, &mut named);
         }
         for rubbing in Rubbing::ALL {
             let mut dice = Dice(seed * 419 + 19);
@@ -800,19 +802,7 @@ fn mistakes_of_forces_are_named() {
 fn what_is_forgotten_comes_first_and_small_forces_follow() {
     let mut named = Confusion::new();
     for seed in 0..4 {
-        let mut slips = Dice(seed * 37 + 11);
-        let mut slip = || slips.between(-SLIP, SLIP);
-        let mistake = Mistake::OutOfMoments;
-        let bars = FourBar::new(&mut Dice(seed * 631 + 17 * mistake as u64 + 3));
-        Planted {
-            name: mistake.of_four_bar(),
-            kind: mistake.name(),
-            scene: bars.scene(),
-            right: bars.answers(Mistake::None, &mut || 0.0),
-            own: bars.answers(mistake, &mut || 0.0),
-            written: bars.answers(mistake, &mut slip),
-        }
-        .count(seed, &mut named);
+        Planted::in_four_bar(Mistake::OutOfMoments, seed).count(seed, &mut named);
         let mistake = Mistake::MassAsWeight;
         let crank = SliderCrank::new(&mut Dice(seed * 977 + 13 * mistake as u64 + 5), mistake);
         let own = crank.answers(mistake, &mut || 0.0);
