@@ -212,12 +212,13 @@ fn loose_points(mechanism: &Mechanism, told: &Told, angles: bool) -> usize {
         }
         all
     };
-    let rows = all(&state).len();
-    let mut columns = DMatrix::zeros(rows.max(unknowns), unknowns);
+    // What an input does at rest is no coefficient.
+    let rest: Vec<f64> = all(&state).iter().map(|equation| equation.rate).collect();
+    let mut columns = DMatrix::zeros(rest.len().max(unknowns), unknowns);
     for column in 0..unknowns {
         state.jets[column].rate = if column % 3 == 2 { 1.0 } else { size };
-        for (row, equation) in all(&state).iter().enumerate() {
-            columns[(row, column)] = equation.rate / size.max(f64::MIN_POSITIVE);
+        for (row, (equation, rest)) in all(&state).iter().zip(&rest).enumerate() {
+            columns[(row, column)] = (equation.rate - rest) / size.max(f64::MIN_POSITIVE);
         }
         state.jets[column].rate = 0.0;
     }
