@@ -348,6 +348,38 @@ fn a_sweep_has_both_sides_of_a_reversal() {
     assert!(seen > 18, "{seen}");
 }
 
+/// At a dead position the friction of the block turns round, and the force in the rod is greatest just on the side on which
+/// friction is against the load: P + f W, by S = (P ± f W)/(cos φ ∓ f sin φ), which falls from there.
+#[test]
+fn a_leap_is_extreme_on_its_higher_side() {
+    use linkgram::sweep::EventKind;
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O": [0, 0] },
+        "links": { "2": { "joins": ["O", "A"], "length": 100 }, "3": { "joins": ["A", "B"], "length": 300 } },
+        "slides": [{ "pin": "B", "block": 4, "f": 0.3, "on": { "link": 1, "through": "O", "angle": 0 } }],
+        "near": { "B": [350, 0] }, "input": { "link": 2, "angle": 50, "omega": "10 rad/s ccw" },
+        "loads": [{ "name": "P", "on": 4, "at": "B", "force": 1000, "direction": 180 },
+                  { "name": "W", "on": 4, "at": "B", "force": 400, "direction": -90 }],
+        "find": ["F(3,4)"] }"#;
+    let sweep = linkgram::sweep::Sweep::new(&read(text).mechanism, None).unwrap();
+    for dead in [0.0, std::f64::consts::PI] {
+        let there: Vec<_> = sweep
+            .events
+            .iter()
+            .filter(|event| {
+                [0.0, std::f64::consts::TAU].iter().any(|turn| (event.at - dead - turn).abs() < 1e-5)
+            })
+            .filter(|event| matches!(event.kind, EventKind::Least { .. } | EventKind::Greatest { .. }))
+            .collect();
+        let [EventKind::Greatest { value, .. }] =
+            there.iter().map(|event| event.kind).collect::<Vec<_>>()[..]
+        else {
+            panic!("at {dead}: {there:?}")
+        };
+        near(value, 1000.0 + 0.3 * 400.0);
+    }
+    assert!(check::confirm_sweep(&sweep).unwrap() > 2);
+}
+
 /// A sheet with friction is drawn, its numbers confirmed, with the circles, the lean and what is told of them.
 #[test]
 fn a_sheet_shows_the_circles() {

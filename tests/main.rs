@@ -36,6 +36,7 @@ mod forces_parts;
 mod forces_routes;
 mod forces_spin;
 mod formats;
+mod fourth_examiner;
 mod friction;
 #[path = "goldens/main.rs"]
 mod goldens;

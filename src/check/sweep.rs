@@ -230,11 +230,17 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
         }
         last = Some(stretch);
     }
+    // Just where forces leap a hair decides which of two sizes counts: they are compared on both sides.
+    let leaps = |at: f64| sweep.reversals.iter().any(|reversal| reversal.at == at);
     let extremes: Vec<f64> = sweep
         .events
         .iter()
         .filter(|event| matches!(event.kind, EventKind::Least { .. } | EventKind::Greatest { .. }))
-        .map(|event| event.at)
+        .flat_map(|event| {
+            let off = if leaps(event.at) { beside_a_leap(sweep) } else { 0.0 };
+            let other = (off > 0.0).then_some(event.at + off);
+            std::iter::once(event.at - off).chain(other)
+        })
         .collect();
     let room = MOST_POSITIONS.saturating_sub(places.len());
     let step = extremes.len().div_ceil(room.max(1)).max(1);
@@ -244,6 +250,11 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
     places.dedup();
     places.truncate(MOST_POSITIONS);
     places
+}
+
+/// So far beside a leap of forces both solvers see the same side of it.
+fn beside_a_leap(sweep: &Sweep) -> f64 {
+    INSIDE * (sweep.range[1] - sweep.range[0])
 }
 
 /// Adds places where much of a stretch would go uncompared, the longest gap first.

@@ -22,7 +22,7 @@ pub(super) struct Job {
     /// What was handed in: JSON, CSV or SVG (linkgram schema answers), of one or of a whole class; - for
     /// standard input. Without any: by how much each answer may be off
     pub(super) answers: Vec<PathBuf>,
-    /// The SVG of the drawing, instead of the one that the answers name
+    /// The SVG of the drawing, instead of the one that the answers name; without answers it is all that was handed in
     #[arg(long, value_name = "FILE")]
     pub(super) drawing: Option<PathBuf>,
     /// Print one JSON object
@@ -60,8 +60,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if job.max_tolerance.is_some_and(|most| most <= 0.0) {
         return Err(Failure("--max-tolerance: a tolerance is greater than zero".to_owned()));
     }
-    let answers = &job.answers;
-    if answers.len() > 1 && job.drawing.is_some() {
+    let (answers, drawing) = match &job.drawing {
+        Some(alone) if job.answers.is_empty() => (std::slice::from_ref(alone), None),
+        drawing => (job.answers.as_slice(), drawing.as_deref()),
+    };
+    if answers.len() > 1 && drawing.is_some() {
         return Err(Failure(
             "--drawing is that of one student; name it in the answers, as `drawing`".to_owned(),
         ));
@@ -70,7 +73,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let output = job.output.as_deref().map(|path| output(path, class)).transpose()?;
     if !matches!(output, Some(Output::Folder(_))) && !job.scene.is_dir() {
         files::spare(&job.scene, &job.output)?;
-        for handed_in in answers.iter().chain(&job.drawing) {
+        for handed_in in answers.iter().map(PathBuf::as_path).chain(drawing) {
             files::spare_input("what was handed in", handed_in, &job.output)?;
         }
     }
@@ -109,7 +112,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let Some(own) = answers.first() else { return Ok(Ending::Fine) };
     let scene = source.of(own)?;
     let settings = GradeSettings { language: language(job, &scene)?, ..settings };
-    let (report, figure) = graded((&scene, &source), own, job.drawing.as_deref(), &settings, false)?;
+    let (report, figure) = graded((&scene, &source), own, drawing, &settings, false)?;
     match &output {
         None => {}
         Some(Output::Overlay(path, format)) => {

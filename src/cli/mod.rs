@@ -14,7 +14,6 @@ mod golden;
 mod grade;
 mod help;
 mod new;
-mod reversals;
 mod solve;
 mod structure;
 mod sweep;
@@ -41,7 +40,7 @@ use crate::terminal;
     about,
     arg_required_else_help = true,
     disable_help_subcommand = true,
-    after_help = "`linkgram help` lists topics to look up: scene, quantities, formats, grading, exams, sweeps, live, golden, accuracy."
+    after_help = "`linkgram help` lists topics to look up: scene, quantities, forces, formats, grading, exams, sweeps, live, golden, accuracy."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -81,7 +80,7 @@ enum Command {
         /// The kind
         kind: Option<String>,
     },
-    /// Print a topic (scene, quantities, formats, grading, exams, sweeps, golden, accuracy), or the options of a command
+    /// Print a topic (scene, quantities, forces, formats, grading, exams, sweeps, live, golden, accuracy), or the options of a command
     Help {
         /// The topic or the command; all of them are listed without it
         topic: Vec<String>,

@@ -8,7 +8,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use super::arguments::{self, Against};
-use super::reversals::{Reversal, reversals};
 use super::{Ending, Failure, print, read_scene};
 use crate::check::{SweepUnconfirmed, Unconfirmed, confirm, confirm_sweep};
 use crate::drawing::Wish;
@@ -24,7 +23,8 @@ use crate::scene::{Scene, Subject};
 use crate::sheet::{Figure, Language};
 use crate::solve::{SolveError, Solved, governed, solve};
 use crate::sweep::{
-    Event, EventKind, InputKind, Over, SliderStroke, Stretch, Sweep, SweepError, SweepWithBounds, Without,
+    Event, EventKind, InputKind, Over, Reversal, SliderStroke, Stretch, Sweep, SweepError, SweepWithBounds,
+    Without, leaps,
 };
 
 /// More positions than this show a progress bar.
@@ -159,9 +159,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     }
     let sweep = sweep;
-    let reversals = reversals(&scene.mechanism, &sweep, job.against.over(), stated);
-    let mut report =
-        Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None, reversals, cycle };
+    let mut report = Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None, cycle };
     if let Err(why) = confirm_sweep(&sweep) {
         let why = report.unconfirmed(&why);
         if !job.unchecked {
@@ -436,15 +434,7 @@ pub(super) fn unit_of(scene: &Scene, over: Over) -> Unit {
 
 /// Which number of a sweep the independent solver does not confirm.
 pub(super) fn not_confirmed(scene: &Scene, sweep: &Sweep, unit: &Unit, why: &SweepUnconfirmed) -> String {
-    let report = Report {
-        file: scene.source.file(),
-        scene,
-        sweep,
-        unit,
-        unconfirmed: None,
-        reversals: Vec::new(),
-        cycle: None,
-    };
+    let report = Report { file: scene.source.file(), scene, sweep, unit, unconfirmed: None, cycle: None };
     format!("not confirmed: {}", report.unconfirmed(why))
 }
 
@@ -509,8 +499,6 @@ struct Report<'s> {
     unit: &'s Unit,
     /// What the independent solver does not confirm.
     unconfirmed: Option<String>,
-    /// Where forces leap.
-    reversals: Vec<Reversal>,
     /// The turning-moment diagram.
     cycle: Option<&'s CycleSheet>,
 }
@@ -629,8 +617,7 @@ impl Report<'_> {
             }
             let [before, after] = [0, 1].map(|side| self.told(cell, &reversal.sides[side]));
             let (name, unit) = self.head_of(cell);
-            let (before, after) =
-                before.zip(after).filter(|(a, b)| (a - b).abs() > 1e-6 * a.abs().max(b.abs()))?;
+            let (before, after) = before.zip(after).filter(|(before, after)| leaps(*before, *after))?;
             let name = name.strip_suffix(".size").map_or(name.clone(), |name| format!("|{name}|"));
             Some(format!("{name} = {} {unit} before, {} {unit} after", short(before), short(after)))
         });
@@ -705,7 +692,7 @@ impl Report<'_> {
         }
         let mut moves = self.moves();
         let mut events: Vec<&Event> = self.sweep.events.iter().collect();
-        let mut reversals: Vec<_> = self.reversals.iter().collect();
+        let mut reversals: Vec<_> = self.sweep.reversals.iter().collect();
         if back {
             moves = moves.into_iter().rev().map(|(from, to, apart)| (to, from, apart)).collect();
             events.reverse();
@@ -852,7 +839,7 @@ impl Report<'_> {
     }
 
     fn leaps_at(&self, at: f64) -> Option<&Reversal> {
-        self.reversals.iter().find(|reversal| self.is_at(reversal, at))
+        self.sweep.reversals.iter().find(|reversal| self.is_at(reversal, at))
     }
 
     /// Every position in order, with the bounds of its numbers where they are wanted.
@@ -870,7 +857,8 @@ impl Report<'_> {
             ProgressBar::hidden()
         };
         let mut numbers = Vec::new();
-        let mut leaps = self.reversals.iter().filter(|leap| places.first().is_some_and(|at| leap.at >= *at));
+        let mut leaps =
+            self.sweep.reversals.iter().filter(|leap| places.first().is_some_and(|at| leap.at >= *at));
         let mut leap = leaps.next();
         for portion in places.chunks(PORTION) {
             let mut told = Ok(());
@@ -993,12 +981,12 @@ impl Report<'_> {
             let parts = self.sweep.ambiguous.iter().map(|part| part.map(|at| at / self.unit.si));
             head["ambiguous"] = parts.map(|[from, to]| json!({ "from": from, "to": to })).collect();
         }
-        if !self.reversals.is_empty() {
+        if !self.sweep.reversals.is_empty() {
             let cells = self.cells();
             let side = |values: &[Option<f64>]| -> Vec<Option<f64>> {
                 cells.iter().map(|cell| self.told(*cell, values)).collect()
             };
-            let told = self.reversals.iter().map(|reversal| {
+            let told = self.sweep.reversals.iter().map(|reversal| {
                 let [before, after] = [0, 1].map(|at| side(&reversal.sides[at]));
                 let at = reversal.at / self.unit.si;
                 json!({ "at": at, "turns_round": reversal.what, "before": before, "after": after })

@@ -535,7 +535,7 @@ pub struct Unit {
 }
 
 /// By which construction a quantity is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Method {
     /// The velocity and the acceleration polygon; of a force the polygons of the bodies.
     #[default]

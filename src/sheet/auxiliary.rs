@@ -17,6 +17,7 @@ use super::skeleton::{self, Arrows, Overlay, PIN};
 use super::steps::{self, Item};
 use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
+    rod_foot,
 };
 use crate::graphical::construction::{Construction, Label};
 use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Mass, Share};
@@ -68,27 +69,29 @@ pub fn title(kind: &Auxiliary, notation: &Notation<'_>) -> Rich {
 #[must_use]
 pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Group {
     if drawing.is_lever() {
-        return lever(drawing, notation);
+        return lever(drawing, construction.space.metres_per_mm, notation);
     }
     // The arcs by which the skeleton was drawn belong to its own figure.
     let mut bare = construction.clone();
     bare.space.lines.clear();
     bare.others.clear();
     skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |ink, places| {
-        let plate = Plate { drawing, notation: *notation, places, window: window(drawing, ink) };
+        let metres_per_mm = construction.space.metres_per_mm;
+        let plate =
+            Plate { drawing, notation: *notation, places, window: window(drawing, ink), metres_per_mm };
         Overlay { ink: plate.strokes(), labels: plate.labels() }
     })
 }
 
 /// The turned velocity polygon with the forces on it.
-fn lever(drawing: &AuxiliaryDrawing, notation: &Notation<'_>) -> Group {
+fn lever(drawing: &AuxiliaryDrawing, metres_per_mm: f64, notation: &Notation<'_>) -> Group {
     let lines = drawing.strokes.iter().filter_map(|stroke| match stroke.shape {
         StrokeShape::Line(from, to) => Some([page(from), page(to)]),
         _ => None,
     });
     let places = lines.flatten().chain(drawing.points.iter().map(|point| page(point.at)));
     let window = places.fold(Rect::ZERO, |window, at| window.union_pt(at)).inflate(BORDER, BORDER);
-    let plate = Plate { drawing, notation: *notation, places: &[], window };
+    let plate = Plate { drawing, notation: *notation, places: &[], window, metres_per_mm };
     let mut group = plate.strokes();
     let labels = labels::place(&group, &plate.labels(), None);
     group.group(labels);
@@ -140,6 +143,8 @@ struct Plate<'a> {
     /// Places of the mechanism's points on the page.
     places: &'a [Option<Point>],
     window: Rect,
+    /// Of the skeleton under it.
+    metres_per_mm: f64,
 }
 
 impl Plate<'_> {
@@ -322,14 +327,47 @@ impl Plate<'_> {
                 request
             })
             .chain(self.vector_names())
+            .chain(self.names_beyond())
             .collect()
+    }
+
+    /// What lies beyond the border is named where its lines end, with how far it is from the named point at which they begin.
+    fn names_beyond(&self) -> Vec<Request> {
+        let beyond: Vec<(Point, PointName)> =
+            self.drawing.points.iter().map(|own| (page(own.at), own.name)).collect();
+        let places = self.places.iter().flatten().copied();
+        let known: Vec<Point> = beyond.iter().map(|(at, _)| *at).chain(places).collect();
+        let here = |one: Point, other: Point| one.distance(other) < COINCIDENT;
+        let mut requests: Vec<Request> = Vec::new();
+        for stroke in &self.drawing.strokes {
+            let StrokeShape::Line(from, to) = stroke.shape else { continue };
+            for (from, to) in [(page(from), page(to)), (page(to), page(from))] {
+                let named = beyond.iter().find(|(at, name)| is_place(*name) && here(*at, to));
+                let Some((_, of)) = named.filter(|_| !self.window.contains(to)) else { continue };
+                let Some((_, t1)) = clip(from, to, self.window) else { continue };
+                let border = from.lerp(to, t1);
+                let mut text = name(*of, &self.notation);
+                if self.window.contains(from) && known.iter().any(|at| here(*at, from)) {
+                    let metres = from.distance(to) * self.metres_per_mm;
+                    text =
+                        text.up("\u{a0}").then(&human::quantity(metres, &self.notation.scene.units.length));
+                }
+                let site = Site::Around { at: border, radius: 0.6, toward: None };
+                let mut request = Request::new(text, SMALL, site, "label auxiliary-name");
+                request.leader = true;
+                if !requests.contains(&request) {
+                    requests.push(request);
+                }
+            }
+        }
+        requests
     }
 
     /// What is read between two image points has its name beside its line, as in a polygon.
     fn vector_names(&self) -> Vec<Request> {
         /// Shorter ones have no room for it; the steps name them.
         const SHORTEST: f64 = 3.0;
-        let read = read_between(self.drawing).filter(|(_, from, to)| {
+        let read = vectors_between(self.drawing).filter(|(_, from, to)| {
             let on_paper = [from, to].iter().all(|at| self.window.contains(**at));
             on_paper && from.distance(*to) >= SHORTEST
         });
@@ -343,8 +381,8 @@ impl Plate<'_> {
     }
 }
 
-/// What is read between two image points, and these on the page.
-pub(super) fn read_between(
+/// What is laid off or read between two image points, and these on the page.
+pub(super) fn vectors_between(
     drawing: &AuxiliaryDrawing,
 ) -> impl Iterator<Item = (Quantity, Point, Point)> + '_ {
     let place = |label: Label, order: Order| {
@@ -355,6 +393,16 @@ pub(super) fn read_between(
         AuxiliaryAct::ReadImage { quantity, tail, head, .. } => {
             let order = quantity.order();
             Some((quantity, place(tail, order)?, place(head, order)?))
+        }
+        AuxiliaryAct::NormalOnRod { crank, .. } => {
+            let [a, b] = [crank.crank_pin, crank.slider_pin];
+            let from = place(Label::Image { point: a, link: None }, Order::Acceleration)?;
+            Some((Quantity::RelativeNormal(b, a), from, place(rod_foot(crank), Order::Acceleration)?))
+        }
+        AuxiliaryAct::TangentialOnCrank { crank, .. } => {
+            let a = Label::Image { point: crank.crank_pin, link: None };
+            let [from, to] = [place(a, Order::Velocity)?, place(a, Order::Acceleration)?];
+            Some((Quantity::Tangential(crank.crank_pin), from, to))
         }
         _ => None,
     })

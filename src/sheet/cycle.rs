@@ -49,6 +49,10 @@ pub(super) fn symbol(notation: &Notation<'_>, of: CycleQuantity) -> Rich {
     match of {
         CycleQuantity::Mean => it("T", "m"),
         CycleQuantity::Work => Rich::italic("E"),
+        // A load has the letter already: the mean power, as T_m is the mean torque.
+        CycleQuantity::Power if notation.mechanism().forces.loads.iter().any(|load| load.name == "P") => {
+            it("P", "m")
+        }
         CycleQuantity::Power => Rich::italic("P"),
         CycleQuantity::Highest => it("E", "max"),
         CycleQuantity::Lowest => it("E", "min"),

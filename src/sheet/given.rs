@@ -527,6 +527,7 @@ impl Teller<'_> {
             Path::Arc { centre, radius } => {
                 let centre = match centre {
                     GuidePoint::Point(p) => self.n.point(p),
+                    GuidePoint::Own(at) if moving => self.by_own_axes(slide.guide.link, self.own_place(at)),
                     GuidePoint::Own(at) => self.own_place(at),
                 };
                 let radius = ("radius", self.length(radius.value));
@@ -578,6 +579,10 @@ impl Teller<'_> {
                 let line = match through {
                     GuidePoint::Point(p) => self.n.length(p, target),
                     GuidePoint::Own(_) => place.up("\u{2009}→\u{2009}").then(&self.n.point(target)),
+                };
+                let line = match through {
+                    GuidePoint::Own(_) if moving => self.by_own_axes(slide.guide.link, line),
+                    _ => line,
                 };
                 let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
                 let told = match slide.rider {
@@ -757,7 +762,8 @@ impl Teller<'_> {
         let line = match (direction, through) {
             (Direction::Toward(to), GuidePoint::Point(from)) => Some(self.n.length(from, to)),
             (Direction::Toward(to), GuidePoint::Own(at)) => {
-                Some(self.own_place(at).up("\u{2009}→\u{2009}").then(&self.n.point(to)))
+                let line = self.own_place(at).up("\u{2009}→\u{2009}").then(&self.n.point(to));
+                Some(self.by_own_axes(guide.link, line))
             }
             (Direction::Angle(_), _) => self.line_from(guide.link, through),
         };

@@ -141,7 +141,11 @@ pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich
 /// more than five, as in inches. What is computed from a length that was measured needs no guard then.
 pub fn reading_exactly(mm: f64, factor: f64, more: usize) -> Option<(Rich, Rich, f64)> {
     const MOST: usize = 5;
-    let decimals = (1 + more).min(finest(mm));
+    // A short length has as many figures more as a long one.
+    let figures_wanted = 3 + more as i32;
+    let of_short = figures_wanted - 1 - libm::floor(libm::log10(mm)) as i32;
+    let decimals = if more == 0 { 1 } else { (1 + more).max(of_short.max(0) as usize) };
+    let decimals = decimals.min(finest(mm));
     let read = at_decimals(mm, decimals);
     let product = read * factor;
     let written: f64 = format!("{product:.*e}", MOST - 1).parse().ok()?;
@@ -213,6 +217,22 @@ pub fn readings<const N: usize>(mm: [f64; N], result: f64, reckon: impl Fn([f64;
     let read = |decimals: usize| mm.map(|mm| format!("{mm:.decimals$}").parse().unwrap_or(mm));
     let decimals = if agrees(reckon(read(1)), written, result, 0) { 1 } else { 2 };
     mm.map(|mm| with_unit(&Rich::upright(fixed(mm, decimals)), "mm"))
+}
+
+/// Readings on paper as finely as it takes for what is reckoned from them to round to a number that is printed already, to the
+/// thousandth of a millimetre at most: one that is not read finer than all of them are.
+pub fn readings_for<const N: usize>(
+    mm: [f64; N],
+    printed: f64,
+    reckon: impl Fn([f64; N]) -> f64,
+) -> [Rich; N] {
+    const FINEST: usize = 3;
+    let text = printed.to_string();
+    let place = libm::exp10(-(text.split_once('.').map_or(0, |(_, decimals)| decimals.len()) as f64));
+    let read = |decimals: usize| mm.map(|mm| at_decimals(mm, decimals));
+    let closes = |decimals: &usize| (reckon(read(*decimals)) - printed).abs() <= 0.5 * place * (1.0 + 1e-9);
+    let decimals = (1..=FINEST).find(closes).unwrap_or(FINEST);
+    read(decimals).map(|mm| with_unit(&Rich::upright(fixed(mm, decimals)), "mm"))
 }
 
 /// Readings of a decimetre and more have one decimal, mm.

@@ -9,7 +9,7 @@ use super::{force_names, human};
 use crate::graphical::construction::{Construction, MassForces};
 use crate::mechanism::LinkId;
 use crate::mechanism::force::{Action, Force, Share};
-use crate::mechanism::quantity::{Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Dimension, Method, Order, Quantity, Unit};
 
 /// M, A_G, F_in, ε, T_in and h of every link with a mass, as the steps print them; none where nothing has a mass.
 #[must_use]
@@ -70,7 +70,7 @@ pub fn table(
 fn row(own: &MassForces, force: Option<[f64; 2]>, notation: &Notation<'_>, figures: &Figures) -> Vec<Rich> {
     let units = &notation.scene.units;
     let none = || Rich::upright("—");
-    let amount = |key: Key, si: f64, unit: &Unit| match figures.told(key, si) {
+    let amount = |key: Key, si: f64, unit: &Unit| match figures.told(key, si, Method::Polygon) {
         Some(told) => human::with_unit(&human::number_told(told / unit.si, si / unit.si), &unit.symbol),
         None => human::quantity(si, unit),
     };

@@ -561,7 +561,7 @@ impl<'a> Draughts<'a> {
             ink.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Ink).class("point"));
             LayerPoint { at: Some(page(point.at)), name: Some(name), ink }
         });
-        let names = auxiliary::read_between(drawing).map(|(quantity, from, to)| {
+        let names = auxiliary::vectors_between(drawing).map(|(quantity, from, to)| {
             let (at, site) = ([Some(from), Some(to)], Site::Along { from, to });
             let text = self.notation.symbol(quantity, false);
             let request = Request::new(text, SMALL, site, "label vector-name");

@@ -8,7 +8,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use crate::graphical::construction::Spot;
 use crate::mechanism::force::{Action, Force};
-use crate::mechanism::quantity::{DiagramKind, Quantity, Unit};
+use crate::mechanism::quantity::{DiagramKind, Method, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, PointId};
 
 /// What a number is of.
@@ -87,6 +87,8 @@ pub struct Figures {
     /// The same two of constructions on the skeleton, each by its number on the sheet.
     finer_apart: HashMap<(Apart, Key), usize>,
     wanted_apart: HashMap<(Apart, Key), usize>,
+    /// What velocities carried over come to, by the method that was asked for.
+    carried_over: HashMap<(Method, Key), Print>,
 }
 
 /// A construction on the skeleton that has readings of its own.
@@ -200,6 +202,11 @@ impl Figures {
             };
             *wanted = (*wanted).max(*more);
         }
+    }
+
+    /// Keeps what a velocity or a rate comes to by a method on the skeleton: the table tells it as its line does.
+    pub(super) fn keep_result(&mut self, method: Method, key: Key, print: Print) {
+        self.carried_over.insert((method, key), print);
     }
 
     /// Whether everything has the figures that lines need of it.
@@ -375,10 +382,14 @@ impl Figures {
     /// The number to which the steps have come for a value, with its sign; none where they have not told it, or where they
     /// have come farther from it than readings of four figures and what follows from their squares can: the result is then
     /// its own number, rounded once.
-    pub(super) fn told(&self, key: Key, si: f64) -> Option<f64> {
+    pub(super) fn told(&self, key: Key, si: f64, method: Method) -> Option<f64> {
         /// Half a unit in the fourth figure is 0.05 % of a reading at most, and twice that of its square.
         const OF_READINGS: f64 = 1e-3;
-        let print = self.printed.get(&key)?;
+        let print = match method {
+            Method::Polygon => self.printed.get(&key)?,
+            // Constructions on the skeleton have readings of their own.
+            method => self.carried_over.get(&(method, key))?,
+        };
         let exact = si.abs() / print.unit.si;
         let room = human::last_place(exact).max(OF_READINGS * exact);
         let near = (print.number - exact).abs() <= room * (1.0 + 1e-9);

@@ -100,8 +100,7 @@ fn row(
     if let Some(method) = notation.method(asked.method) {
         symbol = symbol.up(",\u{a0}").up(method);
     }
-    // Constructions of their own have readings of their own.
-    let key = Some(Key::of(asked.quantity, notation)).filter(|_| asked.method == Method::Polygon);
+    let key = Key::of(asked.quantity, notation);
     // An energy has the name that its unit has in the lines.
     let unit = match asked.quantity {
         Quantity::Cycle(of) if of.is_energy() => energy_unit(&asked.unit.symbol),
@@ -111,7 +110,7 @@ fn row(
     let by_lever = |other: &&Asked| other.quantity == asked.quantity && other.method == Method::Lever;
     let finer = usize::from(notation.mechanism().asked.iter().any(|other| by_lever(&other)));
     let amount = |si: f64| {
-        let told = key.and_then(|key| figures.told(key, si));
+        let told = figures.told(key, si, asked.method);
         let number = match told {
             _ if finer > 0 => human::limited(told.unwrap_or(si) / asked.unit.si, finer).0,
             Some(told) => human::number_told(told / asked.unit.si, si / asked.unit.si),

@@ -696,8 +696,8 @@ fn too_near(points: &[[f64; 2]], least: f64) -> usize {
 }
 
 /// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
-/// named points, and with its circles as far as the paper can hold them; `None` where it has room, or where the skeleton would
-/// become too small to read.
+/// named points, or the nearest of them where the skeleton would become too small to read with all, and with its circles as
+/// far as the paper can hold them; `None` where nothing more finds room.
 #[must_use]
 pub fn for_auxiliary(scene: &Scene, construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
     /// The skeleton is not shrunk by more than this.
@@ -715,10 +715,21 @@ pub fn for_auxiliary(scene: &Scene, construction: &Construction, drawing: &Auxil
         };
         f64::max(extent(0) / room.0, extent(1) / room.1)
     };
-    let named = drawing.points.iter().map(|p| p.at);
-    let mut all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
+    let mut all: Vec<[f64; 2]> = construction.space.places.iter().flatten().copied().collect();
+    let skeleton = all.clone();
+    let with = |at: [f64; 2]| across(&[&skeleton[..], &[at]].concat(), AUXILIARY);
+    let mut named: Vec<[f64; 2]> = drawing.points.iter().map(|p| p.at).collect();
+    named.sort_by(|a, b| with(*a).total_cmp(&with(*b)));
+    for at in named {
+        all.push(at);
+        // Written so that a not-a-number has no room.
+        let has_room = across(&all, AUXILIARY) <= MOST;
+        if !has_room {
+            all.pop();
+        }
+    }
     let needed = across(&all, AUXILIARY);
-    if !(needed > 1.0 && needed <= MOST) {
+    if needed <= 1.0 || needed.is_nan() {
         return None;
     }
     all.extend(drawing.strokes.iter().flat_map(|stroke| match stroke.shape {

@@ -735,16 +735,17 @@ impl Teller<'_> {
     }
 
     /// What is read of two trial polygons for the proportion: how far the image that closes is from the first trial's, and the
-    /// second trial's from that.
-    fn read_of_trials(&self, driver: TrialDriver, order: Order) -> Option<Rich> {
+    /// second trial's from that, as finely as it takes for the proportion to be the rate as it is printed, in a unit of so many SI
+    /// units.
+    fn read_of_trials(&self, driver: TrialDriver, order: Order, (printed, unit): (f64, f64)) -> Option<Rich> {
         let n = self.notation;
-        let point = self.step.acts.iter().find_map(|act| match act {
+        let (point, tried) = self.step.acts.iter().find_map(|act| match act {
             Act::TryPolygon {
                 driver: own,
                 closing: Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. },
                 order: of,
-                ..
-            } if (*own, *of) == (driver, order) => Some(*point),
+                rates,
+            } if (*own, *of) == (driver, order) => Some((*point, *rates)),
             _ => None,
         })?;
         let images = &self.construction.diagram(order.diagram())?.images;
@@ -755,12 +756,16 @@ impl Teller<'_> {
             .find(|label| matches!(label, Label::Image { point: of, link: None } if *of == point))?;
         let [first, second] = [false, true].map(|second| Label::Trial { point, second });
         let from = at(first)?;
-        let read = |end: Label| {
-            let to = at(end)?;
-            let mm = human::millimetres(libm::hypot(to[0] - from[0], to[1] - from[1]));
-            Some(n.image_line(first, end, order.diagram()).up("\u{a0}= ").then(&mm))
-        };
-        let list = n.list(&[read(own)?, read(second)?]);
+        let way = |end: Label| at(end).map(|to| [to[0] - from[0], to[1] - from[1]]);
+        let ways = [way(own)?, way(second)?];
+        // The image may lie on the other side of the first trial's.
+        let ahead = libm::copysign(1.0, ways[0][0] * ways[1][0] + ways[0][1] * ways[1][1]);
+        let by_proportion =
+            |[part, whole]: [f64; 2]| (tried[0] + (tried[1] - tried[0]) * ahead * part / whole) / unit;
+        let mm = ways.map(|[x, y]| libm::hypot(x, y));
+        let read = human::readings_for(mm, printed, by_proportion);
+        let told = |end: Label, mm: &Rich| n.image_line(first, end, order.diagram()).up("\u{a0}= ").then(mm);
+        let list = n.list(&[told(own, &read[0]), told(second, &read[1])]);
         Some(Rich::fill(n.words.measured_arms, &[("list", list)]))
     }
 
@@ -863,17 +868,26 @@ impl Teller<'_> {
                     (TrialDriver::Turn(link), _) => Some(Quantity::Omega(*link)),
                     (TrialDriver::Slide(_), _) => None,
                 };
-                let value = match quantity.filter(|_| *rate != 0.0) {
+                let (value, printed) = match quantity.filter(|_| *rate != 0.0) {
                     Some(quantity) => {
                         let unit = n.angular_unit(*order);
-                        let told = self.figures.borrow_mut().tell(Key::Of(quantity), *rate, &unit);
-                        n.with_sense(human::with_unit(&told, &unit.symbol), *rate)
+                        let (told, number) =
+                            self.figures.borrow_mut().number(Key::Of(quantity), *rate, &unit);
+                        let printed = (libm::copysign(number, *rate), unit.si);
+                        (n.with_sense(human::with_unit(&told, &unit.symbol), *rate), printed)
                     }
-                    None => self.trial_value(*driver, *order, *rate),
+                    None => {
+                        let unit = match driver {
+                            TrialDriver::Turn(_) => n.angular_unit(*order),
+                            TrialDriver::Slide(_) => n.unit(order.dimension()),
+                        };
+                        let printed = (human::limited(*rate / unit.si, 0).1, unit.si);
+                        (self.trial_value(*driver, *order, *rate), printed)
+                    }
                 };
                 let symbol = self.trial_symbol(*driver, *order)?;
                 let told = Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)]);
-                match self.read_of_trials(*driver, *order) {
+                match self.read_of_trials(*driver, *order, printed) {
                     Some(read) => read.up(" ").then(&told),
                     None => told,
                 }

@@ -475,6 +475,14 @@ pub fn items(
                 all.push(Item::Sentence(teller.sentence(act)));
             }
         }
+        let asked = same.iter().map(|transfer| &notation.mechanism().asked[transfer.asked]);
+        for asked in asked {
+            let key = Key::of(asked.quantity, notation);
+            let print = figures_here.borrow().print_of(key).cloned();
+            if let Some(print) = print {
+                figures.borrow_mut().keep_result(asked.method, key, print);
+            }
+        }
         figures.borrow_mut().keep_apart(Apart::Transfer(index), &own.borrow(), notation);
         every.push(all);
     }

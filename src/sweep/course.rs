@@ -35,14 +35,14 @@ pub enum EventKind {
         direction: f64,
     },
     /// A quantity has its least value for the neighbourhood: a scalar, a coordinate of a place, the magnitude of any
-    /// other vector.
+    /// other vector. Of a force that leaps there it is that of the lower side ([`Sweep::reversals`]).
     Least {
         /// Index of the column; of a magnitude the first of its two.
         column: usize,
         /// Its value, SI units.
         value: f64,
     },
-    /// A quantity has its greatest value for the neighbourhood.
+    /// A quantity has its greatest value for the neighbourhood; of a force that leaps there that of the higher side.
     Greatest {
         /// Index of the column; of a magnitude the first of its two.
         column: usize,

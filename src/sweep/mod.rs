@@ -22,6 +22,7 @@ mod friction;
 pub mod governor;
 mod positions;
 mod prepare;
+mod reversals;
 
 use crate::board::{Dual, LANES, Lane, Listing, Variable, Workspace};
 pub use crate::graphical::Without;
@@ -36,6 +37,7 @@ pub use carried::Skeleton;
 pub use course::{Event, EventKind, Stretch};
 pub use curve::{Table, Track};
 pub use positions::{PositionError, moved_to, other_positions};
+pub use reversals::{Reversal, leaps};
 
 /// What a sweep goes over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -224,6 +226,8 @@ pub struct Sweep {
     /// From where to where, next to a limit or a dead position, more than one balance with friction fits; no force is told
     /// there. SI units, ascending.
     pub ambiguous: Vec<[f64; 2]>,
+    /// Where something that rubs, or a load against a motion, turns round: forces leap there. Ascending; none over time.
+    pub reversals: Vec<Reversal>,
     /// The rate of what is varied: the first input's, SI units per second; over time 1.
     pub rate: f64,
     /// At how many places of the range to look.
@@ -297,6 +301,7 @@ impl Sweep {
         range: Option<[f64; 2]>,
         shown: &[Asked],
     ) -> Result<Self, SweepError> {
+        let stated = range;
         let asked = mechanism.asked.len();
         let standing = crate::graphical::standing(mechanism)?;
         let placed = &*standing;
@@ -395,6 +400,7 @@ impl Sweep {
             stretches: Vec::new(),
             events: Vec::new(),
             ambiguous: Vec::new(),
+            reversals: Vec::new(),
             rate,
             looks: looks(&variable, &mechanism, range)?,
             transcribed,
@@ -421,6 +427,8 @@ impl Sweep {
             });
             sweep.events = events;
         }
+        sweep.reversals = reversals::reversals(placed, &sweep, over, stated);
+        sweep.mend_extremes();
         Ok(sweep)
     }
 

@@ -172,6 +172,9 @@ fn a_drawing_of_elsewhere_is_not_opened() {
     read(&["grade", "slider.json", "mine/a.json"]);
     folder.write("mine/a.json", r#"{ "values": { "v(A)": 300 } }"#);
     read(&["grade", "slider.json", "mine/a.json", "--drawing", "neighbour/d.svg"]);
+    // Who names a drawing and no answers hands in the drawing.
+    read(&["grade", "slider.json", "--drawing", "neighbour/d.svg"]);
+    assert!(folder.refused(&["grade", "slider.json", "--drawing", "none.svg"]).contains("none.svg"));
 }
 
 /// What is no file is refused at once: nobody waits for a pipe or a terminal device.

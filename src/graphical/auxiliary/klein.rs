@@ -175,6 +175,7 @@ impl Draughtsman<'_> {
         self.aux_line(start, foot, StrokeRole::Image, Some(parallel));
         self.aux_line(foot, meet.at, StrokeRole::Image, Some(square));
         self.aux_line(pole, meet.at, StrokeRole::Image, Some(on_guide));
+        self.aux_line(start, meet.at, StrokeRole::Image, None);
         self.aux_square(foot, start, meet.at);
         let label = |point| Label::Image { point, link: None };
         self.aux_point(PointName::Image(Label::Pole, Order::Acceleration), pole);
@@ -300,7 +301,8 @@ impl Draughtsman<'_> {
 }
 
 /// The end of the normal part of the rod.
-fn rod_foot(crank: Engine) -> Label {
+#[must_use]
+pub fn rod_foot(crank: Engine) -> Label {
     Label::Foot { point: crank.slider_pin, link: None, index: 2 }
 }
 

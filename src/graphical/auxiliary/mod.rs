@@ -23,6 +23,7 @@ use crate::plan::{Auxiliary, Plan};
 use super::centrodes::{self, BranchEnd, Fineness};
 use super::construction::{Calculation, Claim, Label, Mm2};
 use super::draughtsman::Draughtsman;
+pub use klein::rod_foot;
 pub(super) use klein::{Klein, KleinAnswer};
 pub(super) use lever::ByLever;
 pub(super) use two_masses::ByTwoMasses;

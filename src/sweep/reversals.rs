@@ -1,11 +1,11 @@
 //! Where in a sweep something that rubs, or a load against a motion, turns round: forces leap there, and both sides are
 //! told.
 
+use super::{Event, EventKind, Measure, Over, Sweep};
 use crate::mechanism::force::LoadKind;
 use crate::mechanism::friction::{Friction, RubbingPair};
 use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::mechanism::{LinkId, Mechanism};
-use crate::sweep::{Over, Sweep};
 
 /// So many places of the range are looked at.
 const LOOKS: usize = 720;
@@ -13,16 +13,90 @@ const LOOKS: usize = 720;
 const HALVINGS: usize = 60;
 /// So far beside a reversal, as a part of the range, the forces of its sides are looked at.
 const BESIDE: f64 = 1e-6;
+/// What differs on both sides by no more than this part of itself does not leap.
+const LEAP: f64 = 1e-6;
 
 /// A place at which motion turns round.
-#[derive(Debug, Clone)]
-pub(super) struct Reversal {
-    /// The input, SI.
-    pub(super) at: f64,
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reversal {
+    /// The input, SI units.
+    pub at: f64,
     /// What turns round there.
-    pub(super) what: Vec<String>,
-    /// The columns before and after it, SI; none where there is no balance.
-    pub(super) sides: [Vec<Option<f64>>; 2],
+    pub what: Vec<String>,
+    /// The columns just before and just after it, SI units; none where there is no balance.
+    pub sides: [Vec<Option<f64>>; 2],
+    /// The columns a little before and a little after, by which one sees how they go on.
+    beside: [Vec<Option<f64>>; 2],
+}
+
+/// A number just beside a reversal, and a little farther from it.
+struct Side {
+    limit: f64,
+    farther: f64,
+}
+
+impl Reversal {
+    /// Before and after, where what is measured leaps.
+    fn leap(&self, measure: Measure) -> Option<[Side; 2]> {
+        let number = |columns: &[Option<f64>]| match measure {
+            Measure::Column(column) => *columns.get(column)?,
+            Measure::Magnitude([x, y]) => Some(libm::hypot((*columns.get(x)?)?, (*columns.get(y)?)?)),
+        };
+        let side =
+            |of: usize| Some(Side { limit: number(&self.sides[of])?, farther: number(&self.beside[of])? });
+        let [before, after] = [side(0)?, side(1)?];
+        leaps(before.limit, after.limit).then_some([before, after])
+    }
+
+    /// What is extreme on either side of the leap: a force falls away from the higher side of a greatest value and rises
+    /// from the lower side of a least one.
+    fn extremes(&self, measure: Measure, [before, after]: &[Side; 2]) -> Vec<Event> {
+        let (high, low) = if before.limit > after.limit { (before, after) } else { (after, before) };
+        let column = measure.first();
+        let event = |kind: EventKind| Event { at: self.at, kind, reason: None };
+        let mut found = Vec::new();
+        if high.farther < high.limit {
+            found.push(event(EventKind::Greatest { column, value: high.limit }));
+        }
+        if low.farther > low.limit {
+            found.push(event(EventKind::Least { column, value: low.limit }));
+        }
+        found
+    }
+}
+
+/// Whether numbers on both sides of a reversal differ.
+#[must_use]
+pub fn leaps(before: f64, after: f64) -> bool {
+    (before - after).abs() > LEAP * before.abs().max(after.abs())
+}
+
+impl Sweep {
+    /// Corrects what is extreme where forces leap: the walk sees a force that goes on at such a place, whose slope may vanish
+    /// on one side of it.
+    pub(super) fn mend_extremes(&mut self) {
+        let whole = self.range[1] - self.range[0];
+        let mut events = std::mem::take(&mut self.events);
+        for reversal in &self.reversals {
+            for &measure in &self.measures {
+                let Some(sides) = reversal.leap(measure) else { continue };
+                events.retain(|event| {
+                    let (EventKind::Least { column, .. } | EventKind::Greatest { column, .. }) = event.kind
+                    else {
+                        return true;
+                    };
+                    let away = (event.at - reversal.at).abs();
+                    let away = if self.whole_turn { away.min(whole - away) } else { away };
+                    column != measure.first() || away > 2.0 * BESIDE * whole
+                });
+                if self.is_told(measure.first(), reversal.at) {
+                    events.extend(reversal.extremes(measure, &sides));
+                }
+            }
+        }
+        events.sort_by(|a, b| a.at.total_cmp(&b.at));
+        self.events = events;
+    }
 }
 
 /// Every reversal in the range of a sweep, ascending; none of a sweep over time.
@@ -38,6 +112,7 @@ pub(super) fn reversals(
     }
     let mut motion = mechanism.clone();
     motion.forces.friction = Friction::default();
+    motion.forces.loads.retain(|load| !load.follows_motion());
     motion.asked = watched.iter().map(|(_, quantity)| asked(mechanism, *quantity)).collect();
     let Ok(motion) = Sweep::over(over, &motion, stated) else { return Vec::new() };
     let [from, to] = sweep.range;
@@ -86,8 +161,10 @@ pub(super) fn reversals(
             match found.iter_mut().find(near) {
                 Some(other) => other.what.push(name.clone()),
                 None => {
-                    let side = |sign: f64| side(sweep, at, sign * BESIDE * whole, &wrapped);
-                    found.push(Reversal { at, what: vec![name.clone()], sides: [side(-1.0), side(1.0)] });
+                    let [before, after] =
+                        [-1.0, 1.0].map(|sign| side(sweep, at, sign * BESIDE * whole, &wrapped));
+                    let (sides, beside) = ([before.0, after.0], [before.1, after.1]);
+                    found.push(Reversal { at, what: vec![name.clone()], sides, beside });
                 }
             }
         }
@@ -141,9 +218,17 @@ fn asked(mechanism: &Mechanism, quantity: Quantity) -> Asked {
     Asked { name: quantity.name(mechanism), quantity, unit, method: Method::default() }
 }
 
-/// The columns on one side of a place, on along a straight line through two places beside it.
-fn side(sweep: &Sweep, at: f64, step: f64, wrapped: &dyn Fn(f64) -> f64) -> Vec<Option<f64>> {
+/// The columns on one side of a place, on along a straight line through two places beside it, and those at the farther of the
+/// two.
+fn side(
+    sweep: &Sweep,
+    at: f64,
+    step: f64,
+    wrapped: &dyn Fn(f64) -> f64,
+) -> (Vec<Option<f64>>, Vec<Option<f64>>) {
     let near = |times: f64| sweep.at(wrapped(at + times * step));
-    let (Some(one), Some(two)) = (near(1.0), near(2.0)) else { return vec![None; sweep.columns.len()] };
-    one.into_iter().zip(two).map(|(one, two)| Some(2.0 * one?.value - two?.value)).collect()
+    let nowhere = || vec![None; sweep.columns.len()];
+    let (Some(one), Some(two)) = (near(1.0), near(2.0)) else { return (nowhere(), nowhere()) };
+    let limits = one.iter().zip(&two).map(|(one, two)| Some(2.0 * one.as_ref()?.value - two.as_ref()?.value));
+    (limits.collect(), two.iter().map(|two| two.as_ref().map(|two| two.value)).collect())
 }
