@@ -10,8 +10,9 @@ use super::overlap::clip;
 const CELL: f64 = 4.0;
 /// What the borders of cells may miss by rounding, mm.
 const ROUNDING: f64 = 1e-6;
-/// Cells along a side at most; on larger paper the cells grow.
-const MOST: f64 = 256.0;
+/// Cells at most, about; on larger paper the cells grow. A strip of many metres has as many as a square: where they grew with
+/// its length alone a long chain's names would lie in some few of them, and each would be asked for by all.
+const MOST: f64 = 65_536.0;
 
 /// No entry.
 const NONE: u32 = 0;
@@ -65,9 +66,10 @@ impl Met {
 impl Grid {
     /// An empty grid over this area; what lies outside is kept in the cells of its edge.
     pub(super) fn new(area: Rect) -> Self {
-        let cell = CELL.max(area.width() / MOST).max(area.height() / MOST);
+        let (width, height) = (area.width(), area.height());
+        let cell = CELL.max((width * height / MOST).sqrt()).max(width / MOST).max(height / MOST);
         let count = |length: f64| (length / cell).clamp(0.0, MOST) as usize + 1;
-        let (columns, rows) = (count(area.width()), count(area.height()));
+        let (columns, rows) = (count(width), count(height));
         let first = vec![NONE; columns * rows];
         Self { area, cell, columns, rows, first, entries: Vec::new(), vacant: NONE }
     }
@@ -223,6 +225,18 @@ impl Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A strip of many metres has cells about as large as a label, and no more of them than large paper has.
+    #[test]
+    fn long_paper_has_small_cells() {
+        for (width, height) in [(200.0, 300.0), (16_000.0, 80.0), (100_000.0, 0.0), (90_000.0, 90_000.0)] {
+            let grid = Grid::new(Rect::new(0.0, 0.0, width, height));
+            let cells = grid.columns * grid.rows;
+            assert!(cells <= 4 * MOST as usize, "{width} by {height}: {cells} cells");
+            assert!(grid.cell <= CELL || cells as f64 > 0.9 * MOST, "{width} by {height}: {}", grid.cell);
+        }
+        assert!(Grid::new(Rect::new(0.0, 0.0, 16_000.0, 80.0)).cell < 1.2 * CELL);
+    }
 
     #[test]
     fn a_box_finds_what_touches_it_and_what_lies_beyond_the_edge() {

@@ -264,7 +264,7 @@ pub struct Obstacles {
     strokes: Vec<(Point, Point, f64)>,
     /// The strokes in their order, small things of many strokes as one.
     clumps: Vec<Clump>,
-    areas: Vec<Vec<Point>>,
+    areas: Vec<Area>,
     boxes: Vec<Rect>,
     /// Clumps, areas and boxes, in turn numbered by [`Kind`]: each kind may grow.
     grid: Grid,
@@ -278,16 +278,24 @@ pub struct Obstacles {
 #[derive(Debug)]
 struct Clump {
     strokes: Range<usize>,
-    /// Other strokes that lie where its only one does: in the polygon of a long chain hundreds fall together.
+    /// Other strokes that lie where its own do: in the polygon of a long chain hundreds fall together.
     copies: Vec<usize>,
     /// The box of their ink.
+    bounds: Rect,
+}
+
+/// Filled outlines that lie on each other: the heads of the arrows that a long chain has in one place.
+#[derive(Debug)]
+struct Area {
+    outlines: Vec<Vec<Point>>,
+    /// The box of their corners.
     bounds: Rect,
 }
 
 /// What labels keep away from.
 enum Thing<'a> {
     Clump(&'a Clump),
-    Area(&'a [Point]),
+    Area(&'a Area),
     /// Of this number.
     Box(usize),
 }
@@ -306,6 +314,13 @@ impl Kind {
     /// The number in the grid of the thing at this place.
     fn number(self, place: usize) -> usize {
         place * Self::COUNT + self as usize
+    }
+}
+
+impl Area {
+    /// How many of the outlines have a corner in a box.
+    fn entered_by(&self, own: Rect) -> usize {
+        self.outlines.iter().filter(|outline| outline.iter().any(|p| own.contains(*p))).count()
     }
 }
 
@@ -334,6 +349,8 @@ struct Scratch {
     near: Vec<usize>,
     /// Strokes, how much of them lies inside, and whether they are touched.
     along: Vec<(usize, f64, bool)>,
+    /// The stroke that the last place in its way touched.
+    last: Option<usize>,
 }
 
 impl Obstacles {
@@ -377,36 +394,54 @@ impl Obstacles {
         }
     }
 
-    /// Strokes that stand alone and lie on each other become one clump: each is asked for by itself where its place
-    /// matters, and none where it does not.
+    /// Clumps that lie on each other become one, and so do areas: each stroke is asked for by itself where its place matters,
+    /// and none where it does not.
     fn gather(&mut self) {
         let rounded = |at: Point| [at.x, at.y].map(|x| (x / TOGETHER_MM).round() as i64);
-        let mut first_of: HashMap<([i64; 2], [i64; 2], u64), usize> = HashMap::new();
+        let corners = |own: Rect| (rounded(own.origin()), rounded(Point::new(own.x1, own.y1)));
+        // Of a stroke that stands alone its ends and its width, of several together their box and how many they are.
+        let mut first_of: HashMap<(([i64; 2], [i64; 2]), usize, u64), usize> = HashMap::new();
         let mut gathered: Vec<Clump> = Vec::with_capacity(self.clumps.len());
         for clump in self.clumps.drain(..) {
-            if clump.strokes.len() == 1 {
-                let (a, b, half) = self.strokes[clump.strokes.start];
-                match first_of.entry((rounded(a), rounded(b), half.to_bits())) {
-                    Entry::Occupied(known) => {
-                        let first = &mut gathered[*known.get()];
-                        first.bounds = first.bounds.union(clump.bounds);
-                        first.copies.extend(clump.all());
-                        continue;
-                    }
-                    Entry::Vacant(new) => {
-                        new.insert(gathered.len());
-                    }
+            let key = match &self.strokes[clump.strokes.clone()] {
+                [(a, b, half)] => ((rounded(*a), rounded(*b)), 1, half.to_bits()),
+                several => (corners(clump.bounds), several.len(), 0),
+            };
+            match first_of.entry(key) {
+                Entry::Occupied(known) => {
+                    let first = &mut gathered[*known.get()];
+                    first.bounds = first.bounds.union(clump.bounds);
+                    first.copies.extend(clump.all());
+                }
+                Entry::Vacant(new) => {
+                    new.insert(gathered.len());
+                    gathered.push(clump);
                 }
             }
-            gathered.push(clump);
         }
         self.clumps = gathered;
+        let mut first_of: HashMap<([i64; 2], [i64; 2]), usize> = HashMap::new();
+        let mut gathered: Vec<Area> = Vec::with_capacity(self.areas.len());
+        for area in self.areas.drain(..) {
+            match first_of.entry(corners(area.bounds)) {
+                Entry::Occupied(known) => {
+                    let first = &mut gathered[*known.get()];
+                    first.bounds = first.bounds.union(area.bounds);
+                    first.outlines.extend(area.outlines);
+                }
+                Entry::Vacant(new) => {
+                    new.insert(gathered.len());
+                    gathered.push(area);
+                }
+            }
+        }
+        self.areas = gathered;
     }
 
     fn index(&mut self) {
         self.gather();
         let strokes = self.strokes.iter().map(|(a, b, _)| Rect::from_points(*a, *b));
-        let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| around(p)));
+        let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|area| area.bounds));
         let whole = all.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         self.grid = Grid::new(whole);
         self.enter([0; Kind::COUNT]);
@@ -422,8 +457,8 @@ impl Obstacles {
                 _ => self.grid.add(Kind::Clump.number(i), clump.bounds),
             }
         }
-        for (i, points) in self.areas.iter().enumerate().skip(areas) {
-            self.grid.add(Kind::Area.number(i), around(points));
+        for (i, area) in self.areas.iter().enumerate().skip(areas) {
+            self.grid.add(Kind::Area.number(i), area.bounds);
         }
         for (i, own) in self.boxes.iter().enumerate().skip(boxes) {
             self.grid.add(Kind::Box.number(i), *own);
@@ -465,7 +500,7 @@ impl Obstacles {
             }
         }
         if let (Some(Tone::Ink), Shape::Polygon(points)) = (mark.fill, &mark.shape) {
-            self.areas.push(points.clone());
+            self.areas.push(Area { bounds: around(points), outlines: vec![points.clone()] });
         }
     }
 
@@ -473,8 +508,9 @@ impl Obstacles {
     fn may_touch(&self, clump: &Clump, tight: Rect) -> bool {
         let (a, b, half) = self.strokes[clump.strokes.start];
         let near = half + 2.0 * TOGETHER_MM;
-        clump.bounds.overlaps(tight)
-            && (clump.copies.is_empty() || clip(a, b, tight.inflate(near, near)).is_some())
+        // Those of several strokes have more places than the first of them.
+        let tells = clump.strokes.len() == 1 && !clump.copies.is_empty();
+        clump.bounds.overlaps(tight) && (!tells || clip(a, b, tight.inflate(near, near)).is_some())
     }
 
     /// Whether a box costs nothing: found out at the first thing that is in its way.
@@ -490,7 +526,7 @@ impl Obstacles {
                 };
                 !self.may_touch(clump, tight) || clump.all().all(apart)
             }
-            Thing::Area(area) => !area.iter().any(|p| tight.contains(*p)),
+            Thing::Area(area) => area.entered_by(tight) == 0,
             Thing::Box(i) => !self.boxes[i].overlaps(wide) || between(own, self.boxes[i]).0 == 0.0,
         };
         let flow = |is_free: bool| if is_free { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
@@ -503,6 +539,12 @@ impl Obstacles {
         self.cost_within(own, 0.0, limit).0
     }
 
+    /// Whether a stroke touches a box.
+    fn touches(&self, stroke: usize, own: Rect) -> bool {
+        let (a, b, half) = self.strokes[stroke];
+        clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some()
+    }
+
     /// `before` and the cost of a box, not counted further once it is `limit`; and whether the box touches as far
     /// as was counted.
     fn cost_within(&self, own: Rect, before: f64, limit: f64) -> (f64, bool) {
@@ -510,7 +552,11 @@ impl Obstacles {
         let mut touch = false;
         let tight = own.inflate(CLEARANCE, CLEARANCE);
         let wide = own.inflate(WORD, CLEARANCE);
-        let Scratch { met, near, along } = &mut *self.scratch.borrow_mut();
+        let Scratch { met, near, along, last } = &mut *self.scratch.borrow_mut();
+        // Of places beside each other one stroke is in the way of many.
+        if before + TOUCH >= limit && last.is_some_and(|i| self.touches(i, own)) {
+            return (before + TOUCH, true);
+        }
         near.clear();
         along.clear();
         met.begin(self.count());
@@ -528,8 +574,9 @@ impl Obstacles {
                     for i in clump.all() {
                         let (a, b, half) = self.strokes[i];
                         if let Some((t0, t1)) = clip(a, b, tight.inflate(half, half)) {
-                            let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
+                            let touches = self.touches(i, own);
                             if touches && before + TOUCH >= limit {
+                                *last = Some(i);
                                 return ControlFlow::Break(());
                             }
                             along.push((i, (t1 - t0) * a.distance(b), touches));
@@ -537,8 +584,8 @@ impl Obstacles {
                     }
                 }
                 Thing::Area(area) => {
-                    if met.first_time(number) && area.iter().any(|p| tight.contains(*p)) {
-                        entered += 1;
+                    if area.bounds.overlaps(tight) && met.first_time(number) {
+                        entered += area.entered_by(tight);
                     }
                 }
                 Thing::Box(i) => {
@@ -1399,6 +1446,37 @@ mod tests {
             assert_eq!(together.cost_up_to(own, f64::INFINITY), first + second + first, "at {x}, {y}");
             assert_eq!(together.is_free(own), alone.is_free(own) && other.is_free(own), "at {x}, {y}");
         }
+    }
+
+    /// Arrows and dots that lie on each other cost what each of them costs, and are asked for as one.
+    #[test]
+    fn heads_on_each_other_cost_what_they_cost_alone() {
+        let pen = Pen::solid(0.25);
+        let ink = |offsets: &[f64]| {
+            let mut group = Group::default();
+            for by in offsets {
+                let at = Point::new(20.0 + by, 10.0 - by);
+                let head = vec![at, at + Vec2::new(1.6, 0.5), at + Vec2::new(1.6, -0.5)];
+                group.mark(Mark { fill: Some(Tone::Ink), ..Mark::stroke(Shape::Polygon(head), pen) });
+                group.mark(Mark::stroke(Shape::Circle { centre: at, radius: 0.6 }, pen));
+            }
+            Obstacles::of(&group)
+        };
+        let offsets = [0.0, 1e-10, -1e-10];
+        let together = ink(&offsets);
+        assert_eq!((together.clumps.len(), together.areas.len()), (2, 1));
+        let alone = offsets.map(|by| ink(&[by]));
+        let mut costly = 0;
+        for (x, y) in (0..30).flat_map(|x| (0..20).map(move |y| (x, y))) {
+            let centre = (14.0 + 0.4 * f64::from(x), 6.0 + 0.4 * f64::from(y));
+            let own = Rect::from_center_size(centre, (3.0, 2.0));
+            let each = alone.iter().map(|one| one.cost_up_to(own, f64::INFINITY)).sum::<f64>();
+            let cost = together.cost_up_to(own, f64::INFINITY);
+            assert!((cost - each).abs() <= 1e-6 * each, "at {centre:?}: {cost} {each}");
+            assert_eq!(together.is_free(own), alone.iter().all(|one| one.is_free(own)), "at {centre:?}");
+            costly += usize::from(cost > 0.0);
+        }
+        assert!(costly > 20, "{costly}");
     }
 
     /// Ink that grows costs what the same ink costs that was there from the beginning, wherever it lies, and nothing is entered
