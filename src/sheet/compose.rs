@@ -1,5 +1,6 @@
 //! The page: panels with captions, tables and steps, on as many A4 pages as they need.
 
+use std::cell::RefCell;
 use std::cmp::Ordering;
 
 use kurbo::{Point, Rect, Vec2};
@@ -167,14 +168,24 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         drawn.iter().filter_map(|(panel, _)| panel.slim_block(construction, &notation)).collect()
     };
     let usual: Vec<Block> = drawn.iter().map(|(_, block)| block.clone()).collect();
+    // Every way of paging begins with the same lines.
+    let begun: RefCell<Vec<Pager>> = RefCell::default();
+    let begin = |tight: f64| {
+        if let Some(known) = begun.borrow().iter().find(|known| known.tight.to_bits() == tight.to_bits()) {
+            return known.clone();
+        }
+        let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
+        pager.heading(&given);
+        pager.tell(&steps);
+        begun.borrow_mut().push(pager.clone());
+        pager
+    };
     let set_of = |drawn: &[Block], (first, rest): Way<'_>, tight: f64, held: Held| {
         // Beside the skeleton, which is the first of them.
         let first = first.map(|table| table.draw("results", 0, table.rows.len()));
         let mut all = drawn.iter().cloned();
         let blocks: Vec<Block> = all.next().into_iter().chain(first).chain(all).collect();
-        let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
-        pager.heading(&given);
-        pager.tell(&steps);
+        let mut pager = begin(tight);
         let held_back = pager.hold(held);
         pager.rows(&blocks);
         if let Some(table) = rest {
@@ -1189,11 +1200,24 @@ fn terms_in(table: &Table, width: f64) -> Vec<Table> {
     }
 }
 
+/// Whether lines are set, or only how high they are is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ink {
+    Set,
+    Measured,
+}
+
 /// The items of the steps as strips of this width, their lines so near to each other.
-fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
+fn strips(items: &[Item], width: f64, words: &Words, tight: f64, ink: Ink) -> Vec<Strip> {
     let leading = tight * leading(words);
     // Where a piece of this width begins that is so far from the edge at which the reader begins.
     let at = |indent: f64, own: f64| if words.right_to_left { width - indent - own } else { indent };
+    let put = |text: &Rich, group: &mut Group, indent: f64, y: f64, class: &'static str| {
+        if ink == Ink::Set {
+            let line = text.set(TEXT);
+            line.put(group, Point::new(at(indent, line.width), y), class);
+        }
+    };
     let mut all = Vec::new();
     for (i, item) in items.iter().enumerate() {
         match item {
@@ -1201,8 +1225,7 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
                 for (k, line) in text.wrap(TEXT, width).iter().enumerate() {
                     let mut group = Group::new("step-head");
                     let above = if k == 0 { 3.2 * tight } else { 0.0 };
-                    let line = line.set(TEXT);
-                    line.put(&mut group, Point::new(at(0.0, line.width), above + TEXT), "heading");
+                    put(line, &mut group, 0.0, above + TEXT, "heading");
                     let height = above + leading + 0.4;
                     all.push(Strip { group, height, blank: above, keep: true });
                 }
@@ -1210,12 +1233,16 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
             Item::Terms(table) => {
                 let tables = terms_in(table, width);
                 for (k, table) in tables.iter().enumerate() {
-                    let block = table.draw("terms", 0, table.rows.len());
-                    let mut group = block.group;
-                    group.translate(Vec2::new(at(0.0, block.width), 1.2));
+                    let mut group = Group::new("terms");
+                    if ink == Ink::Set {
+                        let block = table.draw("terms", 0, table.rows.len());
+                        group = block.group;
+                        group.translate(Vec2::new(at(0.0, block.width), 1.2));
+                    }
+                    let height = table.height(0, table.rows.len());
                     let keep = k + 1 < tables.len() || matches!(items.get(i + 1), Some(Item::Sentence(_)));
                     let below = if k + 1 < tables.len() { 1.4 } else { 3.2 };
-                    all.push(Strip { group, height: block.height + below, blank: 0.0, keep });
+                    all.push(Strip { group, height: height + below, blank: 0.0, keep });
                 }
             }
             Item::Sentence(text) => {
@@ -1223,11 +1250,9 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
                 for (k, line) in lines.iter().enumerate() {
                     let mut group = Group::new("sentence");
                     if k == 0 {
-                        let dash = Rich::upright("–").set(TEXT);
-                        dash.put(&mut group, Point::new(at(0.0, dash.width), TEXT), "mark");
+                        put(&Rich::upright("–"), &mut group, 0.0, TEXT, "mark");
                     }
-                    let line = line.set(TEXT);
-                    line.put(&mut group, Point::new(at(4.0, line.width), TEXT), "sentence");
+                    put(line, &mut group, 4.0, TEXT, "sentence");
                     all.push(Strip { group, height: leading, blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
@@ -1264,7 +1289,7 @@ fn keep_lines_together(strips: &mut [Strip]) {
 fn column(items: &[Item], width: f64, words: &Words) -> Block {
     let mut group = Group::new("steps");
     let mut y = 0.0;
-    for mut strip in strips(items, width, words, 1.0) {
+    for mut strip in strips(items, width, words, 1.0, Ink::Set) {
         strip.group.translate(Vec2::new(0.0, y));
         y += strip.height;
         group.group(strip.group);
@@ -1312,7 +1337,9 @@ impl Draft {
         let (width, height) = paper(scene);
         let mut pager = Pager::new(width, height, title(scene, words), words);
         pager.heading(&given::paragraph(&notation));
-        pager.tell(&steps::items(drawn, &notation));
+        // Of its lines only the heights are asked; those of Arabic script depend on their letters.
+        let ink = if words.right_to_left { Ink::Set } else { Ink::Measured };
+        pager.tell_in(&steps::items(drawn, &notation), ink);
         let chunks = pager.waiting.iter().map(|strips| Chunk::of(strips)).collect();
         let results = [results::count(&notation, &ORDERS), results::count(&notation, &[Order::Acceleration])];
         Self { pager, chunks, results }
@@ -1750,8 +1777,12 @@ impl Pager {
 
     /// What is told of the steps, to be set below the panels and where they leave room.
     fn tell(&mut self, items: &[Item]) {
+        self.tell_in(items, Ink::Set);
+    }
+
+    fn tell_in(&mut self, items: &[Item], ink: Ink) {
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, self.column(), self.words, self.tight) {
+        for strip in strips(items, self.column(), self.words, self.tight, ink) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);

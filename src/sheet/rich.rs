@@ -168,19 +168,31 @@ impl Rich {
     }
 
     fn with_item(mut self, text: &str, face: Face, island: bool) -> Self {
-        for c in text.chars() {
+        let mut own = match self.items.last() {
+            Some(Item { piece: Piece::Run(_, face), island: same }) if *same == island => Some(*face),
+            _ => None,
+        };
+        // Letters of one face, as most are, together.
+        let mut from = 0;
+        for (at, c) in text.char_indices() {
             let face = of_script(face, c);
-            match self.items.last_mut() {
-                // A blank never needs a run of its own.
-                Some(Item { piece: Piece::Run(run, last), island: same })
-                    if *same == island && (*last == face || c == ' ') =>
-                {
-                    run.push(c);
-                }
-                _ => self.items.push(Item { piece: Piece::Run(c.to_string(), face), island }),
+            // A blank never needs a run of its own.
+            if own.is_some_and(|own| own == face || c == ' ') {
+                continue;
             }
+            self.lengthen(&text[from..at]);
+            self.items.push(Item { piece: Piece::Run(String::new(), face), island });
+            (own, from) = (Some(face), at);
         }
+        self.lengthen(&text[from..]);
         self
+    }
+
+    /// Adds to the last run of letters.
+    fn lengthen(&mut self, text: &str) {
+        if let Some(Item { piece: Piece::Run(run, _), .. }) = self.items.last_mut() {
+            run.push_str(text);
+        }
     }
 
     /// The same with more text after it.
@@ -380,12 +392,45 @@ impl Rich {
         if self.is_arabic() || self.right_to_left {
             return self.run_through(size).pen;
         }
-        // Without runs and the boxes of their ink, which cost far more than the advance.
-        let mut setter = Setter { measures: true, ..Setter::new(size) };
+        let mut setter = Setter::measuring(size);
         for item in &self.items {
             setter.piece(&item.piece);
         }
         setter.pen
+    }
+
+    /// Advance width of a line to which words are added: what stands before its last piece, to which they are, is measured
+    /// once.
+    fn width_after(&self, before: &mut Before) -> f64 {
+        let Before { setter, pieces } = before;
+        if self.is_arabic() || self.right_to_left {
+            return self.width(setter.size);
+        }
+        let Some((last, others)) = self.items.split_last() else { return 0.0 };
+        for item in others.iter().skip(*pieces) {
+            setter.piece(&item.piece);
+            *pieces += 1;
+        }
+        let mut setter = setter.clone();
+        setter.piece(&last.piece);
+        setter.pen
+    }
+
+    /// Where it ends: how many pieces it has, and how long the last one is, where it is one of letters.
+    fn end(&self) -> (usize, usize) {
+        let last = match self.items.last() {
+            Some(Item { piece: Piece::Run(run, _), .. }) => run.len(),
+            _ => 0,
+        };
+        (self.items.len(), last)
+    }
+
+    /// Takes away what was added since it ended there.
+    fn cut_back(&mut self, (pieces, last): (usize, usize)) {
+        self.items.truncate(pieces);
+        if let Some(Item { piece: Piece::Run(run, _), .. }) = self.items.last_mut() {
+            run.truncate(last);
+        }
     }
 
     /// The words between which a line may break.
@@ -460,22 +505,32 @@ impl Rich {
         if right_to_left {
             words = with_their_signs(words);
         }
+        let mut before = Before::new(size);
         for word in words.iter().flat_map(|word| word.cut(size, width)) {
-            let longer = if line.is_empty() { word.clone() } else { line.clone().then_word(&word) };
-            if longer.width(size) <= width || line.is_empty() {
-                line = longer;
-            } else {
-                // A line does not end with a sign of equality: it stands before what it gives, in the same island.
-                let signed = Self::default().with_item("=\u{a0}", Face::Upright, right_to_left).then(&word);
-                let word = match line.without_equals().filter(|_| signed.width(size) <= width) {
-                    Some(before) => {
-                        line = before;
-                        signed
-                    }
-                    None => word,
-                };
-                lines.push(std::mem::replace(&mut line, word));
+            if line.is_empty() {
+                line = word;
+                continue;
             }
+            let own = line.end();
+            line = line.then_word(&word);
+            if line.width_after(&mut before) <= width {
+                continue;
+            }
+            line.cut_back(own);
+            // A line does not end with a sign of equality: it stands before what it gives, in the same island.
+            let signed = || {
+                let signed = Self::default().with_item("=\u{a0}", Face::Upright, right_to_left).then(&word);
+                (signed.width(size) <= width).then_some(signed)
+            };
+            let word = match line.without_equals().and_then(|bare| Some((bare, signed()?))) {
+                Some((bare, signed)) => {
+                    line = bare;
+                    signed
+                }
+                None => word,
+            };
+            lines.push(std::mem::replace(&mut line, word));
+            before = Before::new(size);
         }
         if !line.is_empty() {
             lines.push(line);
@@ -582,7 +637,21 @@ impl Line {
     }
 }
 
+/// What stands before the last piece of a line that grows.
+struct Before {
+    setter: Setter,
+    /// How many pieces that are.
+    pieces: usize,
+}
+
+impl Before {
+    fn new(size: f64) -> Self {
+        Self { setter: Setter::measuring(size), pieces: 0 }
+    }
+}
+
 /// A line while it is being set.
+#[derive(Clone)]
 pub(super) struct Setter {
     pub(super) size: f64,
     pub(super) pen: f64,
@@ -597,6 +666,11 @@ pub(super) struct Setter {
 impl Setter {
     pub(super) fn new(size: f64) -> Self {
         Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new(), measures: false, last: None }
+    }
+
+    /// Without runs and the boxes of their ink, which cost far more than the advance.
+    fn measuring(size: f64) -> Self {
+        Self { measures: true, ..Self::new(size) }
     }
 
     /// Sets characters at height `y`; returns where the pen ends. Leading blanks move the pen and go to

@@ -118,6 +118,14 @@ impl Table {
         self.size * 1.62
     }
 
+    /// Height of rows `from..to` under the head.
+    #[must_use]
+    pub fn height(&self, from: usize, to: usize) -> f64 {
+        // Row after row, as they are drawn: the same sum to the last digit.
+        let head = self.pitch() + self.below();
+        self.rows.iter().take(to).skip(from).fold(head, |y, _| y + self.pitch()) + self.below()
+    }
+
     /// Draws rows `from..to` under the head.
     #[must_use]
     pub fn draw(&self, class: &str, from: usize, to: usize) -> Block {
@@ -139,7 +147,7 @@ impl Table {
             self.row(&mut group, row, &widths, y + pitch - 0.5 * self.size);
             y += pitch;
         }
-        let bottom = y + below;
+        let bottom = self.height(from, to);
         group.mark(rule(bottom, 0.35));
         Block { group, width, height: bottom }
     }
