@@ -231,16 +231,14 @@ impl Tape {
         let mut judged = vec![Judged { bound: 0.0, weakness: None }; marks.len()];
         for at_once in order.chunks(LANES) {
             let results: Vec<u32> = at_once.iter().map(|index| marks[*index]).collect();
-            let Self { nodes, bounds, .. } = self;
-            let Bounds { slots, lanes, reached, weak, .. } = bounds;
-            let (mut errors, mut left_out) = ([0.0; LANES], [0.0; LANES]);
-            sweep(nodes, slots, &results, lanes, reached, |slot, adjoints| {
-                // What does not lead to the result may err without bound.
-                for (lane, adjoint) in std::mem::take(adjoints).into_iter().enumerate() {
-                    errors[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
-                    left_out[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.left_out };
-                }
-            });
+            // Lanes without a result would cost as much as the others.
+            let [errors, left_out] = match results.len() {
+                1 => self.swept_errors::<1>(&results),
+                2 => self.swept_errors::<2>(&results),
+                3 | 4 => self.swept_errors::<4>(&results),
+                _ => self.swept_errors::<LANES>(&results),
+            };
+            let Bounds { reached, weak, .. } = &self.bounds;
             for (lane, index) in at_once.iter().enumerate() {
                 let leads = |slot: u32| reached.get(slot as usize).is_some_and(|to| to & (1 << lane) != 0);
                 judged[*index].weakness = weak.iter().find(|d| leads(d.slot)).map(|d| d.reason);
@@ -252,6 +250,22 @@ impl Tape {
             }
         }
         (judged, is_rough)
+    }
+
+    /// The errors of some results, each in a lane, and how much of them the tangents left out; `reached` tells afterwards
+    /// what leads to which.
+    fn swept_errors<const N: usize>(&mut self, results: &[u32]) -> [[f64; LANES]; 2] {
+        let Self { nodes, bounds, .. } = self;
+        let Bounds { slots, lanes, reached, .. } = bounds;
+        let (mut errors, mut left_out) = ([0.0; LANES], [0.0; LANES]);
+        sweep(nodes, slots, results, in_lanes::<N>(lanes, slots.len()), reached, |slot, adjoints| {
+            // What does not lead to the result may err without bound.
+            for (lane, adjoint) in std::mem::replace(adjoints, [0.0; N]).into_iter().enumerate() {
+                errors[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
+                left_out[lane] += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.left_out };
+            }
+        });
+        [errors, left_out]
     }
 
     /// The reason of the first divisor behind this result that does not exceed its own error eightfold.
@@ -595,19 +609,26 @@ impl Tape {
 
     /// The same of some slots, by one sweep through the whole tape.
     fn errors_behind(&mut self, marks: &[u32]) -> [f64; LANES] {
+        match marks.len() {
+            1 => self.errors_in_lanes::<1>(marks),
+            2 => self.errors_in_lanes::<2>(marks),
+            3 | 4 => self.errors_in_lanes::<4>(marks),
+            _ => self.errors_in_lanes::<LANES>(marks),
+        }
+    }
+
+    fn errors_in_lanes<const N: usize>(&mut self, marks: &[u32]) -> [f64; LANES] {
         let Self { nodes, bounds, .. } = self;
         let Bounds { slots, lanes, waiting, .. } = bounds;
-        if lanes.len() < slots.len() {
-            lanes.resize(slots.len(), [0.0; LANES]);
-        }
+        let lanes = in_lanes::<N>(lanes, slots.len());
         for (lane, &mark) in marks.iter().enumerate() {
             lanes[mark as usize][lane] = 1.0;
             waiting.add(mark);
         }
         let mut errors = [0.0; LANES];
         while let Some(index) = waiting.take_last() {
-            let adjoints = std::mem::take(&mut lanes[index as usize]);
-            if adjoints == [0.0; LANES] {
+            let adjoints = std::mem::replace(&mut lanes[index as usize], [0.0; N]);
+            if adjoints == [0.0; N] {
                 continue;
             }
             let slot = &slots[index as usize];
@@ -630,8 +651,17 @@ impl Tape {
         let Self { nodes, bounds, .. } = self;
         let Bounds { slots, adjoint, reached, .. } = bounds;
         adjoint.clear();
+        adjoint.resize(mark as usize + 1, [0.0; 1]);
         sweep(nodes, slots, &[mark], adjoint, reached, |_, _| {});
     }
+}
+
+/// So many lanes for each of so many slots, in room that is zero.
+fn in_lanes<const N: usize>(room: &mut Vec<[f64; LANES]>, slots: usize) -> &mut [[f64; N]] {
+    if room.len() < slots {
+        room.resize(slots, [0.0; LANES]);
+    }
+    room.as_flattened_mut().as_chunks_mut::<N>().0
 }
 
 /// Sweeps back from as many results as there are lanes, at most: how each of them moves when a slot is moved alone, and
@@ -641,14 +671,11 @@ fn sweep<const N: usize>(
     nodes: &[Entry],
     slots: &[Slot],
     results: &[u32],
-    adjoints: &mut Vec<[f64; N]>,
+    adjoints: &mut [[f64; N]],
     reached: &mut Vec<u8>,
     mut visit: impl FnMut(&Slot, &mut [f64; N]),
 ) {
     let count = results.iter().max().map_or(0, |last| *last as usize + 1);
-    if adjoints.len() < count {
-        adjoints.resize(count, [0.0; N]);
-    }
     reached.clear();
     reached.resize(count, 0);
     for (lane, &result) in results.iter().enumerate() {
