@@ -14,7 +14,7 @@ use super::AnalyticError;
 use super::constraints::{Motion, Num, Row, Site};
 use super::model::{Model, REPEATED};
 use super::ordering::{Group, Ordering};
-use super::slopes::Here;
+use super::slopes::{Here, Turns};
 use super::tape::{Leaf, Linear};
 use crate::mechanism::{Place, PointId, Rider};
 
@@ -136,6 +136,8 @@ struct Assembler<'a> {
     coarsest: f64,
     /// By so much more than usual equations that repeat what is given may miss.
     patience: f64,
+    /// How the bodies stood when they were last glanced at.
+    turns: Turns,
 }
 
 /// Finds the assembly nearest to the hints.
@@ -143,7 +145,7 @@ struct Assembler<'a> {
 /// No equation of it misses by more than `coarsest`, or than rounding where that is more; what repeats given places may miss
 /// by what these leave open, and by `patience` times that where a long lever magnifies it.
 pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<Assembly, AnalyticError> {
-    let pattern = model.pattern(&model.position, 0)?;
+    let pattern = model.pattern_of_position()?;
     let rows = model.position.len();
     let found = assemble_by(model, (&pattern, (0..rows).collect()), coarsest, patience);
     let ambiguous = matches!(found, Err(AnalyticError::Ambiguous { .. }));
@@ -183,7 +185,7 @@ pub(super) fn by_other_equations(model: &Model, found: &Assembly, coarsest: f64)
     if found.ordering.spare.is_empty() {
         return Vec::new();
     }
-    let Ok(pattern) = model.pattern(&model.position, 0) else { return Vec::new() };
+    let Ok(pattern) = model.pattern_of_position() else { return Vec::new() };
     let apart = |column: usize, by: f64| if column % 3 == 2 { wrapped(by) } else { by };
     let is_same = |other: &Assembly| {
         let pairs = other.pose.iter().zip(&found.pose).enumerate();
@@ -307,7 +309,9 @@ impl<'a> Assembler<'a> {
                 settled[group].push(hint);
             }
         }
-        Self { model, groups, beyond, ready, settled, points_of, swivels_of, slot, coarsest, patience: 1.0 }
+        let turns = Turns::new(model.bodies);
+        let patience = 1.0;
+        Self { model, groups, beyond, ready, settled, points_of, swivels_of, slot, coarsest, patience, turns }
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -818,7 +822,7 @@ impl<'a> Assembler<'a> {
         at.jacobian.fill(0.0);
         for (i, row) in self.all_rows(index).enumerate() {
             let row = &self.model.position[row];
-            let slope = Here::evaluate(row, pose, &self.model.params)?;
+            let slope = Here::evaluate(row, pose, &self.model.params, &self.turns)?;
             at.residuals[i] = slope.value;
             for (column, slope) in slope.columns_and_slopes(row) {
                 let j = self.slot[column];

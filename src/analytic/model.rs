@@ -4,12 +4,13 @@
 //! by a power of two near the time of its motion, so that scaling costs no accuracy and nothing
 //! overflows, whatever the units.
 
+use std::borrow::Cow;
 use std::sync;
 
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
 use super::ordering::{Group, Ordering, needed, order};
-use super::slopes::Here;
+use super::slopes::{Here, Turns};
 use super::tape::{Leaf, U};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{
@@ -78,6 +79,8 @@ pub(super) struct Model {
     pub(super) swivels: Vec<Swivel>,
     /// The bodies that are solved: all, unless the model was narrowed.
     pub(super) kept: Vec<bool>,
+    /// The unknowns in each equation of the position and of the motion, since they were narrowed.
+    patterns: Option<[Vec<Vec<usize>>; 2]>,
     own: Vec<Vec<[Num; 2]>>,
     slide_paths: Vec<Track>,
     roll_lines: Vec<Option<Straight>>,
@@ -159,6 +162,7 @@ impl Model {
             unit_motion: None,
             swivels: Vec::new(),
             kept: Vec::new(),
+            patterns: None,
             own: Vec::new(),
             slide_paths: Vec::new(),
             roll_lines: Vec::new(),
@@ -229,6 +233,7 @@ impl Model {
             kept = grown;
         }
         if kept.iter().all(|kept| *kept) {
+            self.patterns = moves.then_some([position, motion]);
             return Ok(());
         }
         let holds = |columns: &[usize]| columns.iter().all(|column| kept[column / 3]);
@@ -245,6 +250,9 @@ impl Model {
         for sites in &mut self.sites {
             sites.retain(|site| kept[site.body]);
         }
+        let held =
+            |pattern: Vec<Vec<usize>>| pattern.into_iter().filter(|own| holds(own)).collect::<Vec<_>>();
+        self.patterns = moves.then(|| [held(position), held(motion)]);
         self.kept = kept;
         Ok(())
     }
@@ -326,12 +334,12 @@ impl Model {
     /// greatest at a pose without meaning. By elimination with the largest slope left.
     fn independent(&self, sequence: &[usize]) -> Vec<bool> {
         let n = self.unknowns();
-        let pose = anyhow(n, ANYHOW[1]);
+        let (pose, turns) = (anyhow(n, ANYHOW[1]), Turns::new(self.bodies));
         let mut pivots: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
         let mut slopes = vec![0.0; n];
         let mut eliminate = |row: &Row| {
             slopes.fill(0.0);
-            match Here::evaluate(row, &pose, &self.params) {
+            match Here::evaluate(row, &pose, &self.params, &turns) {
                 Some(slope) => slope.columns_and_slopes(row).for_each(|(column, d)| slopes[column] += d),
                 None => {
                     let motion = Motion { pose: &pose, rate: &[], accel: &[], params: &self.params };
@@ -399,17 +407,36 @@ impl Model {
         self.own.get(link.0)?.get(at).copied()
     }
 
+    /// The unknowns in each equation of the position.
+    pub(super) fn pattern_of_position(&self) -> Result<Cow<'_, [Vec<usize>]>, AnalyticError> {
+        match &self.patterns {
+            Some([position, _]) => Ok(Cow::Borrowed(position)),
+            None => self.pattern(&self.position, 0).map(Cow::Owned),
+        }
+    }
+
+    /// The unknowns in each equation of a motion.
+    pub(super) fn pattern_of_motion(
+        &self,
+        equations: &[Row],
+    ) -> Result<Cow<'_, [Vec<usize>]>, AnalyticError> {
+        match &self.patterns {
+            Some([_, motion]) if std::ptr::eq(equations, self.motion.as_slice()) => Ok(Cow::Borrowed(motion)),
+            _ => self.pattern(equations, 1).map(Cow::Owned),
+        }
+    }
+
     /// The unknowns in each equation, at any position: read off three positions without meaning.
-    pub(super) fn pattern(&self, rows: &[Row], order: u8) -> Result<Vec<Vec<usize>>, AnalyticError> {
+    fn pattern(&self, rows: &[Row], order: u8) -> Result<Vec<Vec<usize>>, AnalyticError> {
         let n = self.unknowns();
-        let poses = ANYHOW.map(|seed| anyhow(n, seed));
+        let poses = ANYHOW.map(|seed| (anyhow(n, seed), Turns::new(self.bodies)));
         let rest = vec![0.0; n];
         rows.iter()
             .map(|row| {
                 let mut columns = Vec::new();
-                for pose in &poses {
+                for (pose, turns) in &poses {
                     // The rate of an equation depends on the rate of a coordinate as itself on the coordinate.
-                    if let Some(slope) = Here::evaluate(row, pose, &self.params) {
+                    if let Some(slope) = Here::evaluate(row, pose, &self.params, turns) {
                         columns.extend(slope.columns(row));
                         continue;
                     }

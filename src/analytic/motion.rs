@@ -425,7 +425,7 @@ pub(super) fn solve_motion(
     };
     let residuals = |linears: &[Linear]| -> Vec<f64> { linears.iter().map(|l| -l.value).collect() };
 
-    let Ordering { groups, free, spare } = order(&model.pattern(equations, 1)?, n);
+    let Ordering { groups, free, spare } = order(&model.pattern_of_motion(equations)?, n);
     let at_rest = evaluate(located, &rest, &[], 1)?;
     let mut system = System::new(groups, &at_rest, n, |leaf| match leaf {
         Leaf::Rate(at) => Some(at),

@@ -112,11 +112,36 @@ impl Calculus for Slope {
     }
 }
 
+/// How far each body has turned when it was last asked for: its angle, with its sine and cosine. Every equation of a body
+/// asks for them again.
+#[derive(Debug)]
+pub(super) struct Turns(Vec<Cell<[f64; 3]>>);
+
+impl Turns {
+    /// Of so many bodies, of which none was asked for.
+    pub(super) fn new(bodies: usize) -> Self {
+        Self(vec![Cell::new([f64::NAN; 3]); bodies])
+    }
+
+    /// Sine and cosine of a body's angle.
+    fn sincos(&self, body: usize, angle: f64) -> (f64, f64) {
+        let Some(known) = self.0.get(body) else { return libm::sincos(angle) };
+        let [of, sin, cos] = known.get();
+        if of == angle && angle != 0.0 {
+            return (sin, cos);
+        }
+        let (sin, cos) = libm::sincos(angle);
+        known.set([angle, sin, cos]);
+        (sin, cos)
+    }
+}
+
 /// A place of all bodies.
 #[derive(Debug)]
 pub(super) struct Here<'a> {
     pose: &'a [f64],
     params: &'a [Param],
+    turns: &'a Turns,
     bodies: [usize; 2],
     /// The equation has asked for a body besides the two.
     strange: Cell<bool>,
@@ -125,8 +150,13 @@ pub(super) struct Here<'a> {
 impl<'a> Here<'a> {
     /// An equation at a place: its value and its derivatives by the coordinates of [`Row::bodies`], three for each
     /// (the first body's alone where both are one). `None` where it has no value here, or binds a third body.
-    pub(super) fn evaluate(row: &Row, pose: &'a [f64], params: &'a [Param]) -> Option<Slope> {
-        let here = Self { pose, params, bodies: row.bodies(), strange: Cell::new(false) };
+    pub(super) fn evaluate(
+        row: &Row,
+        pose: &'a [f64],
+        params: &'a [Param],
+        turns: &'a Turns,
+    ) -> Option<Slope> {
+        let here = Self { pose, params, turns, bodies: row.bodies(), strange: Cell::new(false) };
         let slope = here.row(row);
         let sound = slope.value.is_finite() && slope.by.iter().all(|d| d.is_finite());
         (sound && !here.strange.get()).then_some(slope)
@@ -164,13 +194,20 @@ impl Formulas for Here<'_> {
     }
 
     fn site_along(&self, site: &Site, axis: usize) -> Slope {
-        self.site(site)[axis]
+        if site.body == 0 {
+            return self.num(site.own[axis]);
+        }
+        let origin = self.coordinate(site.body, axis);
+        if site.own == [Num::Exact(0.0); 2] {
+            return origin;
+        }
+        origin + self.carried_vector(site.body, site.own)[axis]
     }
 
     /// The slope of a turned vector by its angle is the vector a quarter turn on.
     fn carried_vector(&self, body: usize, own: [Num; 2]) -> [Slope; 2] {
         let angle = self.angle(body);
-        let (sin, cos) = libm::sincos(angle.value);
+        let (sin, cos) = self.turns.sincos(body, angle.value);
         let [a, b] = self.pair(own).map(|own| own.value);
         let (x, y) = (cos * a - sin * b, sin * a + cos * b);
         [angle.through(x, -y), angle.through(y, x)]
