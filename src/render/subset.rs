@@ -196,9 +196,11 @@ fn packed(flavour: [u8; 4], tables: &Tables) -> Vec<u8> {
     const ENTRY: usize = 20;
     let whole: usize = tables.values().map(|table| table.len().next_multiple_of(4)).sum();
     let (mut entries, mut data) = (Vec::new(), Vec::new());
+    // One for all tables: what it works on takes more time to lay out than a table to compress.
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
     let begin = HEAD + ENTRY * tables.len();
     for (tag, table) in tables {
-        let small = compressed(table).filter(|small| small.len() < table.len());
+        let small = compressed(&mut encoder, table).filter(|small| small.len() < table.len());
         let stored = small.as_ref().unwrap_or(table);
         entries.extend(tag);
         for number in [begin + data.len(), stored.len(), table.len()] {
@@ -223,10 +225,9 @@ fn packed(flavour: [u8; 4], tables: &Tables) -> Vec<u8> {
     out
 }
 
-fn compressed(table: &[u8]) -> Option<Vec<u8>> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+fn compressed(encoder: &mut ZlibEncoder<Vec<u8>>, table: &[u8]) -> Option<Vec<u8>> {
     encoder.write_all(table).ok()?;
-    encoder.finish().ok()
+    encoder.reset(Vec::new()).ok()
 }
 
 /// The check sum of a table: its words added up.
