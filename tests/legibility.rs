@@ -939,7 +939,7 @@ fn klein_s_construction_begins_with_the_rate_in_radians() {
 }
 
 /// The cells of a table row by row, from the left.
-fn rows_of(table: &Group) -> Vec<Vec<&Text>> {
+pub(crate) fn rows_of(table: &Group) -> Vec<Vec<&Text>> {
     let mut rows: Vec<Vec<&Text>> = Vec::new();
     for node in &table.children {
         let Node::Text(text) = node else { continue };

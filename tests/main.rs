@@ -78,6 +78,7 @@ mod printed_lines;
 mod random_sheets;
 mod rooms;
 mod second_examiner;
+mod signed_sheets;
 mod stated;
 #[path = "statements/main.rs"]
 mod statements;

@@ -950,11 +950,10 @@ impl Teller<'_> {
         let words = n.words;
         let si = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
         let watt = si("W");
-        // As it is printed, and with how many figures more than usual.
-        let power = |of: Force, value: f64| {
-            let mut figures = self.figures.borrow_mut();
-            let text = figures.tell(Key::Power(of), value, &watt);
-            (human::with_unit(&text, &watt.symbol), (value.abs(), figures.more(Key::Power(of))))
+        // A force stands as the balance told it, in newtons.
+        let of_force = |action: Action| match action {
+            Action::Weight(link) if n.mechanism().shared_by(link) == 1.0 => Key::OfLink("W", link),
+            _ => Key::of(Quantity::Force(Force::Vector(action), Share::Total), n),
         };
         let omega = |link: LinkId| n.symbol(Quantity::Omega(link), false);
         let pole = || n.image(Label::Pole, DiagramKind::Velocity);
@@ -965,11 +964,14 @@ impl Teller<'_> {
                 let force = force_symbol(Force::Vector(action), n);
                 // By the scale of velocities the arm is the part of the velocity along the force.
                 let (factor, written) = human::factor(si_per_mm);
-                let (watts, result) = power(Force::Vector(action), moment);
-                let [f, y] = human::closing_finer([size, mm], result, |[f, y]| f * y * written);
-                let product = force.up(DOT).then(&arm).up(EQUALS).then(&f).up(TIMES);
-                let product = product.then(&human::with_unit(&y, "mm")).up(TIMES).then(&factor).up(EQUALS);
-                product.then(&watts).word(n.sense(moment))
+                let (newton, millimetre) = (si("N"), Unit { symbol: "mm".to_owned(), si: 1.0 });
+                let factors = [(Some(of_force(action)), size, &newton), (None, mm, &millimetre)];
+                let told = (Some(Key::Power(Force::Vector(action))), moment.abs(), &watt);
+                let reckon = |x: &[f64]| x[0] * x[1] * written;
+                let (x, text, _) = self.figures.borrow_mut().line_of(&factors, told, reckon);
+                let product = force.up(DOT).then(&arm).up(EQUALS).then(&x[0]).up(TIMES);
+                let product = product.then(&human::with_unit(&x[1], "mm")).up(TIMES).then(&factor).up(EQUALS);
+                product.then(&human::with_unit(&text, &watt.symbol)).word(n.sense(moment))
             }
             AuxiliaryAct::NoArmOnLever { action } => {
                 let parts = [("force", force_symbol(Force::Vector(action), n)), ("pole", pole())];
@@ -1053,6 +1055,7 @@ impl Teller<'_> {
                 let line =
                     line.up(sign(-moments)).then(&x[0]).up(OVER).up(sign(speed)).then(&x[1]).up(EQUALS);
                 let line = line.then(&human::with_unit(&text, &own.symbol));
+                let line = if driven.is_some() { line.word(n.sense(effort)) } else { line };
                 return Some(vec![
                     Rich::fill(words.lever_sum, &[("sum", sum), ("pole", pole())]),
                     Rich::fill(words.lever_effort, &[("effort", line)]),

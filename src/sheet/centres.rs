@@ -149,6 +149,12 @@ fn on_paper(centre: &Centre) -> Option<Point> {
     }
 }
 
+/// How far on a centre lies from the tip of the arrow that leads there, metres.
+pub(super) fn further(centre: Rich, metres: f64, notation: &Notation<'_>) -> Rich {
+    let distance = human::quantity(metres, &notation.scene.units.length);
+    Rich::fill(notation.words.further_to, &[("distance", distance), ("centre", centre)])
+}
+
 /// Along a direction of the diagram, on the page.
 fn along([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, -y)
@@ -240,7 +246,10 @@ impl Chart<'_> {
     }
 
     fn lines(&mut self) {
+        /// Within a name's length, mm.
+        const ONE_NAME: f64 = 12.0;
         let mut group = Group::new("lines-of-centres");
+        let mut far: Vec<(Point, Rich)> = Vec::new();
         for ruled in self.ruled() {
             let Some((low, high)) = clip_line(ruled.through, ruled.along, self.window) else { continue };
             let t = |at: Point| (at - ruled.through).dot(ruled.along);
@@ -287,6 +296,12 @@ impl Chart<'_> {
                     .map(|(_, links)| self.far_name(*links, tip))
                     .collect();
                 let text = Rich::join(&there, &Rich::upright(", "));
+                // Two lines that leave the paper side by side have one name there.
+                let told = |(at, other): &(Point, Rich)| at.distance(tip) < ONE_NAME && *other == text;
+                if far.iter().any(told) {
+                    continue;
+                }
+                far.push((tip, text.clone()));
                 // Beside the end of its line: beyond it the paper may end.
                 let length = text.width(SMALL);
                 let beside = Site::Along { from: tip - way * length, to: tip };
@@ -315,11 +330,7 @@ impl Chart<'_> {
         let own = name(links, &self.notation);
         match self.centre(links).and_then(on_paper) {
             None => own.up("∞"),
-            Some(at) => {
-                let metres = at.distance(from) * self.metres_per_mm;
-                let unit = &self.notation.scene.units.length;
-                own.up("\u{a0}").then(&human::quantity(metres, unit))
-            }
+            Some(at) => further(own, at.distance(from) * self.metres_per_mm, &self.notation),
         }
     }
 

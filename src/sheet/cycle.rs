@@ -61,6 +61,10 @@ pub(super) fn symbol(notation: &Notation<'_>, of: CycleQuantity) -> Rich {
         CycleQuantity::OfSpeed => it("K", "s"),
         CycleQuantity::Flywheel => it("I", "f"),
         CycleQuantity::Inertia => Rich::italic("I"),
+        // Beside links θ₂ is the angle of link 2: there it is told as that at the mean.
+        CycleQuantity::Crossing(k) if notation.mechanism().moving().next().is_some() => {
+            it("θ", &format!("m{k}"))
+        }
         CycleQuantity::Crossing(k) => it("θ", &k.to_string()),
         CycleQuantity::Area(k) => it("A", &k.to_string()),
         CycleQuantity::Level(k) => it("E", &k.to_string()),

@@ -602,6 +602,10 @@ impl Computed<'_> {
     fn steepest(&self, of: CycleQuantity) -> Option<Rich> {
         let (name, key, at, _) = self.number(of, "")?;
         let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
+        // The torques there are computed from it.
+        if self.waves().is_some() {
+            self.figures.borrow_mut().want_one(key?);
+        }
         let angle = self.figures.borrow_mut().tell(key?, at, &degree);
         let told = name.up("\u{a0}= ").then(&angle).up("°");
         let [torque, load] = self.names();

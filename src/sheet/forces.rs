@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Dash, Group, Mark, Pen, Shape, Tone};
+use super::figure::{Dash, Group, Mark, Node, Pen, Shape, Tone};
 use super::force_detail::{self, Side};
 use super::friction;
 use super::governor;
@@ -13,6 +13,7 @@ use super::human;
 use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, hatch_below, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
+use super::pose::{GuideLine, Pose};
 use super::printed::either;
 use super::rich::Rich;
 use super::scale;
@@ -658,17 +659,7 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
             governor::radius(&mut overlay.ink, &mut overlay.labels, governor, construction, notation);
         }
         let mut taken = Vec::new();
-        let all_bars: Vec<(Point, Point)> = notation
-            .mechanism()
-            .moving()
-            .flat_map(|link| {
-                let points = notation.mechanism().link(link).points.iter();
-                let stands = |point: &crate::mechanism::PointId| {
-                    construction.space.places.get(point.0).copied().flatten().map(page)
-                };
-                bars(&points.filter_map(stands).collect::<Vec<_>>())
-            })
-            .collect();
+        let all_bars = bars_of_skeleton(construction, notation);
         for (link, torque, value) in given_torques(sheet) {
             let first = notation.mechanism().link(link).points.first();
             let at = first.and_then(|point| *construction.space.places.get(point.0)?);
@@ -684,6 +675,9 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                 off_the_link((&all_bars, &mut taken), acting, through, most)
             })
             .collect();
+        for blank in taken.iter().filter_map(|arrow| blank_under(*arrow, &all_bars)) {
+            overlay.ink.mark(blank);
+        }
         for (acting, at_arrow) in all.iter().zip(arrows) {
             let (at, through) = (on_page(acting.at, construction), on_page(acting.through, construction));
             if at.distance(through) > 1.0 {
@@ -766,10 +760,65 @@ fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64
     from
 }
 
-/// The strokes of a link: from each of these points to each other one.
-fn bars(points: &[Point]) -> Vec<(Point, Point)> {
+/// How a link of these points is drawn.
+enum Outline {
+    /// No stroke: it has one place, or none.
+    Spot,
+    /// One stroke, from end to end.
+    Bar(Stretch),
+    /// A plate by its corners.
+    Plate(Vec<Point>),
+}
+
+impl Outline {
+    fn of(points: &[Point]) -> Self {
+        match *points {
+            [] | [_] => Self::Spot,
+            [from, to] => Self::Bar((from, to)),
+            _ => match in_line(points) {
+                Some([from, to]) => Self::Bar((from, to)),
+                None => Self::Plate(super::ink::hull(points)),
+            },
+        }
+    }
+}
+
+/// The strokes of a link of these points: from end to end, or round its plate.
+fn bars(points: &[Point]) -> Vec<Stretch> {
+    let mut all = match Outline::of(points) {
+        Outline::Spot => Vec::new(),
+        Outline::Bar(bar) => vec![bar],
+        Outline::Plate(corners) => {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| (*a, *b)).collect()
+        }
+    };
+    all.retain(|(a, b)| a.distance(*b) > 1.0);
+    all
+}
+
+/// The strokes of all links of the skeleton.
+fn bars_of_skeleton(construction: &Construction, notation: &Notation<'_>) -> Vec<Stretch> {
+    let pose = Pose::new(notation.mechanism(), &construction.space);
+    let places = |link| pose.places(link).into_iter().map(|(_, at)| at).collect::<Vec<Point>>();
+    notation.mechanism().moving().flat_map(|link| bars(&places(link))).collect()
+}
+
+/// The points by which a link is drawn: its own, and where something slides on it or rolls that stands apart from them.
+fn drawn_by(own: &[(Point, Rich, bool)], riders: &[Point]) -> Vec<Point> {
+    let mut points: Vec<Point> = own.iter().map(|(at, ..)| *at).collect();
+    for rider in riders {
+        if points.iter().all(|at| at.distance(*rider) > 1.0) {
+            points.push(*rider);
+        }
+    }
+    points
+}
+
+/// From each of these points to each other one: within them all is on the link.
+fn spans(points: &[Point]) -> impl Iterator<Item = Stretch> {
     let pairs = points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| (*b, *a)));
-    pairs.filter(|(a, b)| a.distance(*b) > 1.0).collect()
+    pairs.filter(|(a, b)| a.distance(*b) > 1.0)
 }
 
 /// Whether an arrow cannot be told from a stroke on which it lies.
@@ -785,7 +834,8 @@ fn lies_on((from, to): (Point, Point), (a, b): (Point, Point)) -> bool {
 }
 
 /// Where an arrow begins that would else lie on the link on which it acts, or on another arrow: with its head at its place and
-/// its shaft outside of the link, or further along its line.
+/// its shaft outside of the link, or further along its line. One that acts in the middle of a stroke stays there: the stroke
+/// gives way to it.
 fn off_the_link(
     (bars, taken): (&[Stretch], &mut Vec<Stretch>),
     acting: &Acting,
@@ -810,13 +860,94 @@ fn off_the_link(
     }
     taken.truncate(before);
     let free = |from: &Point| !bars.iter().chain(taken.iter()).any(|other| lies_on(stroke(*from), *other));
+    // Past another joint it would seem to act there.
+    let open = |way: Vec2| !bars.iter().any(|bar| lies_on((at, at + way * (2.0 * STEP)), *bar));
+    let (behind, ahead) = (open(-along), open(along));
     let ways = (0..STEPS).flat_map(|step| {
         let off = JOINT + STEP * f64::from(step);
-        [at - along * (length + off), at + along * off]
+        let back = behind.then(|| at - along * (length + off));
+        back.into_iter().chain(ahead.then(|| at + along * off))
     });
-    let from = ways.into_iter().find(free).unwrap_or(first);
+    let beside = |from: &Point| !taken.iter().any(|other| lies_on(stroke(*from), *other));
+    let on_link = (0..STEPS).map(|step| at + along * (STEP * f64::from(step)));
+    let from = ways.into_iter().find(free).or_else(|| on_link.into_iter().find(beside)).unwrap_or(first);
     taken.push(stroke(from));
     from
+}
+
+/// Blank in the stroke of a link beyond the ends of an arrow that stands on it, mm.
+const BLANK: f64 = 1.0;
+
+/// A stroke of a link without what arrows cover of it, and a little blank at the ends of each.
+fn giving_way((from, to): Stretch, arrows: &[Stretch]) -> Vec<Stretch> {
+    let length = from.distance(to);
+    let along = (to - from).normalize();
+    let mut gaps: Vec<[f64; 2]> = arrows
+        .iter()
+        .filter(|arrow| lies_on(**arrow, (from, to)))
+        .map(|(tail, tip)| {
+            let [start, end] = [*tail, *tip].map(|p| (p - from).dot(along));
+            [start.min(end) - BLANK, start.max(end) + BLANK]
+        })
+        .collect();
+    gaps.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut pieces = Vec::new();
+    let mut done = 0.0;
+    for [start, end] in gaps {
+        if start > done {
+            pieces.push((from + along * done, from + along * start.min(length)));
+        }
+        done = end.max(done);
+    }
+    if done < length {
+        pieces.push((from + along * done, to));
+    }
+    pieces
+}
+
+/// The strokes of links give way to arrows that stand on them.
+fn give_way(group: &mut Group, arrows: &[Stretch]) {
+    let is_link = |group: &Group| group.class == "link";
+    let links = group.children.iter_mut().filter_map(|node| match node {
+        Node::Group(own) if is_link(own) => Some(own),
+        _ => None,
+    });
+    for link in links {
+        let mut cut = Vec::new();
+        for node in std::mem::take(&mut link.children) {
+            let strokes = match &node {
+                Node::Mark(Mark { shape: shape @ (Shape::Line(..) | Shape::Polyline(_)), .. }) => {
+                    shape.outline()
+                }
+                _ => Vec::new(),
+            };
+            let covered = |stroke: &Stretch| arrows.iter().any(|arrow| lies_on(*arrow, *stroke));
+            match node {
+                Node::Mark(mark) if strokes.iter().any(covered) => {
+                    let pieces = strokes.into_iter().flat_map(|stroke| giving_way(stroke, arrows));
+                    cut.extend(
+                        pieces.map(|(from, to)| {
+                            Node::Mark(Mark { shape: Shape::Line(from, to), ..mark.clone() })
+                        }),
+                    );
+                }
+                node => cut.push(node),
+            }
+        }
+        link.children = cut;
+    }
+}
+
+/// The blank in a stroke of the skeleton where an arrow stands on it. The joint at which that begins stays whole.
+fn blank_under((from, to): Stretch, bars: &[Stretch]) -> Option<Mark> {
+    /// Half its breadth, and the radius of a joint, mm.
+    const HALF: f64 = 0.5;
+    const JOINT: f64 = 1.3;
+    let covered = bars.iter().any(|bar| lies_on((from, to), *bar));
+    let along = (to - from).normalize();
+    let (start, end) = (from + along * JOINT, to + along * BLANK);
+    let corners = super::ink::turned_rect(start.midpoint(end), along, start.distance(end) / 2.0, HALF);
+    covered.then(|| Mark::area(Shape::Polygon(corners), Tone::Paper))
 }
 
 /// What is drawn of a body, or of the skeleton, and the room around it in which forces stand to scale.
@@ -1021,7 +1152,9 @@ fn sum_line(
             overlay.ink.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
         }
         short_arrow(&mut overlay.ink, &mut overlay.labels, &whole, from, (most, &taken), notation);
-        arms(&mut overlay.ink, &mut overlay.labels, &moments, frame, (sheet, construction, notation));
+        let bars = bars_of_skeleton(construction, notation);
+        let mut room = RoomOfArms { frame, bars: &bars, aside: Vec::new() };
+        arms(&mut overlay.ink, &mut overlay.labels, &moments, &mut room, (sheet, construction, notation));
         overlay
     }))
 }
@@ -1055,11 +1188,56 @@ fn asked_arms(sheet: &ForceSheet, construction: &Construction, notation: &Notati
         for (acting, at) in arrows {
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, (most, &taken), notation);
         }
+        let bars = bars_of_skeleton(construction, notation);
+        let mut room = RoomOfArms { frame, bars: &bars, aside: Vec::new() };
         for own in &own {
-            arms(&mut overlay.ink, &mut overlay.labels, own, frame, (sheet, construction, notation));
+            arms(&mut overlay.ink, &mut overlay.labels, own, &mut room, (sheet, construction, notation));
         }
         overlay
     })
+}
+
+/// Where arms are dimensioned.
+struct RoomOfArms<'a> {
+    frame: Frame,
+    /// The strokes of links, on which no dimension line is seen.
+    bars: &'a [Stretch],
+    /// The dimension lines that stand beside a stroke.
+    aside: Vec<Stretch>,
+}
+
+impl RoomOfArms<'_> {
+    /// Where the dimension line of an arm stands: at the arm, or beside the link along which that lies, on the side on which
+    /// less stands, of two alike on that from which the force comes.
+    fn stand(&mut self, arm: Stretch, force: Option<Vec2>) -> Stretch {
+        /// The distance of a dimension line from the link, and of the next one from it, mm.
+        const BESIDE: f64 = 4.0;
+        const LINES: u32 = 5;
+        /// What is nearer to the line of the arm than this is on it, mm.
+        const ON: f64 = 1.5;
+        if !self.bars.iter().any(|bar| lies_on(arm, *bar)) {
+            return arm;
+        }
+        let along = (arm.1 - arm.0).normalize();
+        let left = Vec2::new(along.y, -along.x);
+        let ends = || self.bars.iter().flat_map(|(a, b)| [*a, *b]);
+        let beyond = |side: Vec2| ends().filter(|end| (*end - arm.0).dot(side) > ON).count();
+        let comes_from_left = force.is_some_and(|force| force.dot(left) < 0.0);
+        let side = match beyond(left).cmp(&beyond(-left)) {
+            std::cmp::Ordering::Less => left,
+            std::cmp::Ordering::Greater => -left,
+            std::cmp::Ordering::Equal if comes_from_left => left,
+            std::cmp::Ordering::Equal => -left,
+        };
+        let at = |line: u32| {
+            let by = side * (BESIDE * f64::from(line));
+            (arm.0 + by, arm.1 + by)
+        };
+        let free = |stretch: &Stretch| !self.aside.iter().any(|other| lies_on(*stretch, *other));
+        let found = (1..=LINES).map(at).find(free).unwrap_or(at(1));
+        self.aside.push(found);
+        found
+    }
 }
 
 /// The arms of moments, from the point about which they are taken to the foot on each line.
@@ -1067,9 +1245,10 @@ fn arms(
     group: &mut Group,
     requests: &mut Vec<Request>,
     moments: &MomentBalance,
-    frame: Frame,
+    room: &mut RoomOfArms<'_>,
     (sheet, construction, notation): (&ForceSheet, &Construction, &Notation<'_>),
 ) {
+    let frame = room.frame;
     let about = match moments.about {
         About::Point(point) => match construction.space.places.get(point.0) {
             Some(Some(about)) => page(*about),
@@ -1130,10 +1309,16 @@ fn arms(
         let foot = if whole { foot } else { frame.cut(about, foot) };
         let mut own =
             Group::new("arm").data("value", format!("{}", arm.length / notation.scene.units.length.si));
-        own.mark(Mark::stroke(Shape::Line(about, foot), Pen::solid(FINE)).precise());
+        let (from, to) = room.stand((about, foot), direction_of(sheet, term.of));
+        own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).precise());
         let along = (foot - about).normalize();
-        own.mark(super::ink::head(foot, along, 2.0));
-        own.mark(super::ink::head(about, -along, 2.0));
+        own.mark(super::ink::head(to, along, 2.0));
+        own.mark(super::ink::head(from, -along, 2.0));
+        // What stands beside the link has lines that lead there.
+        for (end, moved) in [(about, from), (foot, to)].into_iter().filter(|(end, moved)| end != moved) {
+            let past = moved + (moved - end).normalize();
+            own.mark(Mark::stroke(Shape::Line(end, past), Pen::solid(FINE)).precise());
+        }
         // The line of the force as far as the foot, and a little past it.
         let pin = moments.carried.and_then(|(_, pin)| *construction.space.places.get(pin.0)?).map(page);
         let through = moments_line(sheet, term.of, (foot, pin), construction)
@@ -1144,7 +1329,7 @@ fn arms(
         }
         group.group(own);
         let name = arm_name(sheet, &arm, notation);
-        let mut request = Request::new(name, SMALL, Site::Along { from: about, to: foot }, "label arm-name");
+        let mut request = Request::new(name, SMALL, Site::Along { from, to }, "label arm-name");
         request.leader = true;
         requests.push(request);
     }
@@ -1217,6 +1402,18 @@ pub fn meet_name(on: LinkId, notation: &Notation<'_>) -> Rich {
     Rich::italic("K").sub(&notation.number(on))
 }
 
+/// The force that acts on a sheet, with its line.
+fn drawn(sheet: &ForceSheet, action: Action) -> Option<&Acting> {
+    let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.frame);
+    all.into_iter().find(|acting| acting.action == action)
+}
+
+/// Whither a force of a moment points on the page; none of a part of one, or a couple.
+fn direction_of(sheet: &ForceSheet, of: Turning) -> Option<Vec2> {
+    let Turning::Force(action) = of else { return None };
+    drawn(sheet, action).map(|acting| Vec2::new(acting.force[0], -acting.force[1]))
+}
+
 /// Where a force of a moment stands on the skeleton; the pin to which it is carried, where its own line does not lead to
 /// the foot of its arm.
 fn moments_line(
@@ -1226,9 +1423,7 @@ fn moments_line(
     construction: &Construction,
 ) -> Option<Point> {
     let (Turning::Force(action) | Turning::Along(action) | Turning::Across(action)) = of else { return None };
-    let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.frame);
-    let drawn = all.into_iter().find(|acting| acting.action == action);
-    let Some(acting) = drawn else {
+    let Some(acting) = drawn(sheet, action) else {
         // What the links of a pin exert on it is not drawn one by one, and passes through it.
         let (Action::OnPin(_, at) | Action::OfPin(at, _)) = action else { return None };
         return construction.space.places.get(at.0).copied().flatten().map(page);
@@ -1281,7 +1476,8 @@ impl Free<'_> {
         let mut group = Group::new("free-body");
         let mut requests: Vec<Request> = Vec::new();
         let mut places: Vec<(Point, Rich, bool)> = Vec::new();
-        let mut all_bars: Vec<(Point, Point)> = Vec::new();
+        let mut all_bars: Vec<Stretch> = Vec::new();
+        let mut all_places: Vec<Vec<Point>> = Vec::new();
         for party in self.of {
             let points = match *party {
                 Party::Link(link) => mechanism.link(link).points.clone(),
@@ -1311,10 +1507,11 @@ impl Free<'_> {
                         })
                         .collect();
                     riders.extend(contact_of_rack(link, construction, notation));
-                    let stand = own.iter().map(|(at, ..)| *at).chain(riders.iter().copied());
-                    all_bars.extend(bars(&stand.collect::<Vec<_>>()));
+                    let stand = drawn_by(&own, &riders);
+                    all_bars.extend(bars(&stand));
+                    all_places.push(stand);
                     wheels(&mut group, link, construction, notation);
-                    draw_link(&mut group, link, &own, &riders, notation);
+                    draw_link(&mut group, link, &own, &riders, construction, notation);
                     friction::circles_on(&mut group, link, sheet, construction, notation);
                 }
                 Party::Pin(pin) => {
@@ -1356,8 +1553,9 @@ impl Free<'_> {
         }
         let Some(ink) = group.bounds() else { return group };
         let frame = Frame::around(ink);
+        let mut room = RoomOfArms { frame, bars: &all_bars, aside: Vec::new() };
         for moments in self.moments {
-            arms(&mut group, &mut requests, moments, frame, (sheet, construction, notation));
+            arms(&mut group, &mut requests, moments, &mut room, (sheet, construction, notation));
         }
         let of_link = |link: LinkId| self.of.contains(&Party::Link(link));
         for meet in sheet.meets.iter().filter(|meet| of_link(meet.link)) {
@@ -1401,7 +1599,9 @@ impl Free<'_> {
                 off_the_link((&all_bars, &mut taken), acting, at, most)
             })
             .collect();
+        give_way(&mut group, &taken);
         let mut arrows = arrows.into_iter();
+        let strokes: Vec<Stretch> = all_bars.iter().chain(&room.aside).copied().collect();
         // What has neither a size nor a line finds its place beside all that has.
         let mut in_turn: Vec<&Acting> = self.acting.iter().collect();
         in_turn.sort_by_key(|acting| acting.known == Knowledge::Nothing && acting.parts.is_none());
@@ -1446,7 +1646,7 @@ impl Free<'_> {
                         taken.extend(lines_of_parts(drawn, (acting, parts), (at, &places), shown));
                     }
                     None => {
-                        let around = (&places[..], &all_bars[..], &taken[..]);
+                        let around = (&places[..], &strokes[..], &taken[..]);
                         let drawn = (&mut group, &mut requests);
                         let stroke = unknown(drawn, acting, (known, at), around, notation);
                         taken.push(stroke);
@@ -1463,10 +1663,10 @@ impl Free<'_> {
         // A couple stands anywhere on its body.
         let on_body = |at: Point| {
             let beside = |place: Point| at.distance(place);
-            let on_bar = all_bars.iter().any(|(a, b)| {
-                let along = (*b - *a).normalize();
-                let reach = (at - *a).dot(along).clamp(0.0, a.distance(*b));
-                at.distance(*a + along * reach) < 1.0
+            let on_bar = all_places.iter().flat_map(|places| spans(places)).any(|(a, b)| {
+                let along = (b - a).normalize();
+                let reach = (at - a).dot(along).clamp(0.0, a.distance(b));
+                at.distance(a + along * reach) < 1.0
             });
             let nearest = places.iter().map(|(place, ..)| *place);
             let nearest = nearest.min_by(|a, b| beside(*a).total_cmp(&beside(*b)));
@@ -1715,39 +1915,51 @@ fn contact_of_rack(link: LinkId, construction: &Construction, notation: &Notatio
     lines.map(page).collect()
 }
 
-/// A link by its points: a stroke from joint to joint, a block as a box.
+/// How a block lies: along the guide on which it slides; another link of one place along the guide that it carries.
+fn along_guide(link: LinkId, construction: &Construction, notation: &Notation<'_>) -> Vec2 {
+    let m = notation.mechanism();
+    let pose = Pose::new(m, &construction.space);
+    let slides = || m.slides.iter();
+    let own = slides().find(|slide| m.party_of(&slide.rider) == Party::Link(link));
+    let guide = own.or_else(|| slides().find(|slide| slide.guide.link == link));
+    match guide.and_then(|slide| pose.guide(slide)) {
+        Some(GuideLine::Straight { along, .. }) => along,
+        Some(GuideLine::Arc { at, centre }) if at.distance(centre) > 0.0 => {
+            let outward = (at - centre).normalize();
+            Vec2::new(-outward.y, outward.x)
+        }
+        Some(GuideLine::Arc { .. }) | None => Vec2::new(1.0, 0.0),
+    }
+}
+
+/// A link by its points: a stroke from joint to joint, a block as a box along its guide.
 fn draw_link(
     group: &mut Group,
     link: LinkId,
     places: &[(Point, Rich, bool)],
     riders: &[Point],
+    construction: &Construction,
     notation: &Notation<'_>,
 ) {
+    /// Half the length and half the breadth of a block, mm.
+    const BLOCK: (f64, f64) = (3.0, 2.1);
     let mut own = Group::new("link").data("link", notation.number(link));
-    let mut points: Vec<Point> = places.iter().map(|(at, ..)| *at).collect();
+    let points = drawn_by(places, riders);
     let rolls = notation.mechanism().rolls.iter().any(|roll| roll.bodies().contains(&link));
-    let box_of_its_own = points.len() == 1 && riders.is_empty() && !rolls;
-    for rider in riders {
-        if points.iter().all(|at| at.distance(*rider) > 1.0) {
-            points.push(*rider);
+    let is_block = riders.is_empty() && !rolls;
+    match Outline::of(&points) {
+        Outline::Spot if is_block => {
+            for (at, ..) in places {
+                let along = along_guide(link, construction, notation);
+                let corners = super::ink::turned_rect(*at, along, BLOCK.0, BLOCK.1);
+                own.mark(Mark::outlined(Shape::Polygon(corners), Pen::solid(THIN), Tone::Paper));
+            }
         }
-    }
-    // Points of one line are joined from end to end.
-    if let Some(ends) = in_line(&points) {
-        points = ends.to_vec();
-    }
-    match points[..] {
-        [only] if !box_of_its_own => own.mark(dot(only, 0.6).precise()),
-        [] => {}
-        [only] => {
-            let half = 3.0;
-            let corners = [(-1.0, -0.7), (1.0, -0.7), (1.0, 0.7), (-1.0, 0.7)];
-            let corners = corners.map(|(x, y)| only + Vec2::new(x * half, y * half)).to_vec();
-            own.mark(Mark::outlined(Shape::Polygon(corners), Pen::solid(THIN), Tone::Paper));
+        Outline::Spot => points.iter().for_each(|at| own.mark(dot(*at, 0.6).precise())),
+        Outline::Bar((from, to)) => {
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THICK)).precise());
         }
-        [from, to] => own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THICK)).precise()),
-        _ => {
-            let corners = super::ink::hull(&points);
+        Outline::Plate(corners) => {
             own.mark(Mark::area(Shape::Polygon(corners.clone()), Tone::Tint));
             let ring = corners.iter().copied().chain(corners.first().copied()).collect();
             own.mark(Mark::stroke(Shape::Polyline(ring), Pen::solid(THICK)).precise());
@@ -1909,6 +2121,7 @@ pub fn stated(
         let outside = at - along * (ARROWS.1 + 1.4);
         let at = if covered(at) && !covered(outside) { outside } else { at };
         let to = at + along * ARROWS.1;
+        blank_under((at, to), &bars(&on_link)).into_iter().for_each(|blank| group.mark(blank));
         let mut own = Group::new("force applied").data("quantity", Action::Load(index).name(mechanism));
         arrow(&mut own, at, to, THICK);
         group.group(own);

@@ -93,17 +93,8 @@ pub fn closing<const N: usize>(
     result: f64,
     reckon: impl Fn([f64; N]) -> f64,
 ) -> [Rich; N] {
-    closing_finer(factors, (result, 0), reckon)
-}
-
-/// The same where the result is printed with so many figures more than usual.
-pub fn closing_finer<const N: usize>(
-    factors: [f64; N],
-    (result, finer_by): (f64, usize),
-    reckon: impl Fn([f64; N]) -> f64,
-) -> [Rich; N] {
     let with = |more: usize| factors.map(|factor| finer(factor, more));
-    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, finer_by);
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
     let more = (0..=GUARDS).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text)
 }
@@ -125,7 +116,18 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
 /// it takes for the product to be the printed one, a fifth as a guard; what then lies half way is read a hundredth further off.
 /// With so many figures more than usual; and the number that then stands there.
 pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
-    let more = read_figures(result, more);
+    read_with(mm, factor, result, read_figures(result, more))
+}
+
+/// The same of a length that is measured on the skeleton: as a guard it has five figures.
+pub fn measured_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
+    match more {
+        AS_A_GUARD => read_with(mm, factor, result, MOST_FIGURES.saturating_sub(usual_figures(result))),
+        _ => reading_at(mm, factor, result, more),
+    }
+}
+
+fn read_with(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
     let (wanted, written) = limited(result, more);
     if let Some(reading) = reading_as(mm, factor, written, more) {
         return (reading, wanted, written);
@@ -172,6 +174,10 @@ pub fn other_neighbour(written: f64, value: f64, digits: usize) -> f64 {
 pub fn figures_of_reading(result: f64, more: usize) -> usize {
     usual_figures(result) + read_figures(result, more)
 }
+
+/// So many figures more than usual stand for a guard: a fifth figure of what is computed or measured on the skeleton, that only
+/// keeps what follows from being rounded twice.
+pub const AS_A_GUARD: usize = 3;
 
 /// Nobody reads five figures.
 fn read_figures(result: f64, more: usize) -> usize {

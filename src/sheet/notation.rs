@@ -129,6 +129,9 @@ impl<'a> Notation<'a> {
             Label::Foot { point, link, index } => (point, link, Some(index.to_string())),
             Label::Trial { point, second } => (point, None, Some(if second { "II" } else { "I" }.to_owned())),
         };
+        // A pin has one number, in its velocity and in its image.
+        let of_pin = |l: &LinkId| self.mechanism().point(point).links.contains(l);
+        let link = link.map(|l| self.home(point).filter(|_| of_pin(&l)).unwrap_or(l));
         let (letters, own) = split(self.point_name(point));
         let indices: Vec<String> =
             [(!own.is_empty()).then(|| own.to_owned()), link.map(|l| self.number(l)), index]
@@ -211,8 +214,8 @@ impl<'a> Notation<'a> {
             Quantity::Slip(p, l) => letter(book.velocity).sub(&self.coincident(p, l)),
             Quantity::SlipAcceleration(p, l) => letter(book.acceleration).sub(&self.coincident(p, l)),
             // On the frame a pin has no other velocity than along its guide.
-            Quantity::SlipNormal(p, LinkId::FRAME) => n(book.normal, self.index(p)),
-            Quantity::SlipTangential(p, LinkId::FRAME) => n(book.tangential, self.index(p)),
+            Quantity::SlipNormal(p, LinkId::FRAME) => n(book.normal, of(p)),
+            Quantity::SlipTangential(p, LinkId::FRAME) => n(book.tangential, of(p)),
             Quantity::SlipNormal(p, l) => n(book.normal, self.coincident(p, l)),
             Quantity::SlipTangential(p, l) => n(book.tangential, self.coincident(p, l)),
             Quantity::Coriolis(p, l) => n(book.coriolis, self.coincident(p, l)),
@@ -276,13 +279,15 @@ impl<'a> Notation<'a> {
         letter.scripts(sup, Face::Upright, &sub)
     }
 
-    /// The link by whose number a pin on a moving guide is told from the points under it: 2 of A₂, A₄.
+    /// The link by whose number a pin on a moving guide is told from the points under it: 2 of A₂, A₄. Not that of its block,
+    /// whose rates nobody reads, unless nothing else has the pin.
     #[must_use]
     pub fn home(&self, point: PointId) -> Option<LinkId> {
         let guides = || self.guides_under(point);
         guides().next()?;
         let links = &self.mechanism().points.get(point.0)?.links;
-        links.iter().copied().find(|l| *l != LinkId::FRAME && guides().all(|g| g != *l))
+        let own = links.iter().copied().filter(|l| *l != LinkId::FRAME && guides().all(|g| g != *l));
+        own.min_by_key(|l| self.mechanism().link(*l).block)
     }
 
     /// The moving links on whose guides a pin rides.
@@ -326,7 +331,9 @@ impl<'a> Notation<'a> {
     fn coincident(&self, point: PointId, guide: LinkId) -> String {
         let name = self.index(point);
         let own = self.mechanism().points.get(point.0);
-        let own = own.and_then(|p| p.links.iter().copied().find(|l| *l != guide && *l != LinkId::FRAME));
+        let others =
+            own.into_iter().flat_map(|p| &p.links).copied().filter(|l| *l != guide && *l != LinkId::FRAME);
+        let own = others.min_by_key(|l| self.mechanism().link(*l).block);
         let own = own.map_or_else(String::new, |l| self.number(l));
         let own = numbered(&name, &own);
         let guide = self.number(guide);
@@ -511,7 +518,17 @@ impl<'a> Notation<'a> {
             Reference::Points(a, b) => self.length(a, b),
             Reference::Guide(slide) => self.guide_line(slide).unwrap_or_else(|| self.guide(slide)),
         };
-        Rich::upright(sign).then(&line)
+        // Nothing is parallel to an arc.
+        let on_arc = |slide: usize| {
+            let own = self.mechanism().slides.get(slide);
+            own.is_some_and(|own| matches!(own.guide.path, Path::Arc { .. }))
+        };
+        match claim {
+            Claim::Parallel(Reference::Guide(slide)) if on_arc(slide) => {
+                Rich::fill(self.words.tangent_to, &[("guide", line)])
+            }
+            _ => Rich::upright(sign).then(&line),
+        }
     }
 
     /// A claim as a data attribute: its name, and the line by its points or its guide.

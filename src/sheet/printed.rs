@@ -82,6 +82,10 @@ pub struct Figures {
     /// not give the third figure of its result by the nearer one; and those that lines would have needed so.
     beside: HashSet<Key>,
     wanted_beside: HashSet<Key>,
+    /// What carries a figure as a guard, because a result that follows from it would else be rounded otherwise than it is;
+    /// and that from which such numbers follow.
+    guarded: HashSet<Key>,
+    wanted_guards: HashSet<Key>,
     /// What was read off polygons, mm.
     readings: Vec<(DiagramKind, f64, Key)>,
     /// The same two of constructions on the skeleton, each by its number on the sheet.
@@ -157,8 +161,21 @@ impl Figures {
             finer: with(&self.finer, &self.wanted),
             finer_apart: with(&self.finer_apart, &self.wanted_apart),
             beside: self.beside.union(&self.wanted_beside).copied().collect(),
+            guarded: self.guarded.union(&self.wanted_guards).copied().collect(),
             ..Self::default()
         }
+    }
+
+    /// Begins again with a guard for these results.
+    pub(super) fn guarding(&self, results: &[Key]) -> Self {
+        let mut next = self.again();
+        next.guarded.extend(results);
+        next
+    }
+
+    /// Whether anything carries a guard.
+    pub(super) fn guards(&self) -> bool {
+        !self.guarded.is_empty()
     }
 
     /// How the rates of the inputs are printed, and nothing else: what a construction of its own begins with.
@@ -216,11 +233,15 @@ impl Figures {
         self.wanted.iter().all(|(key, more)| self.more(*key) >= *more)
             && self.wanted_apart.iter().all(apart)
             && self.wanted_beside.is_subset(&self.beside)
+            && self.wanted_guards.is_subset(&self.guarded)
     }
 
     /// How many figures more than usual a number has.
     pub(super) fn more(&self, key: Key) -> usize {
-        self.finer.get(&key).copied().unwrap_or(0)
+        match self.guarded.contains(&key) {
+            true => human::AS_A_GUARD,
+            false => self.finer.get(&key).copied().unwrap_or(0),
+        }
     }
 
     pub(super) fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
@@ -365,6 +386,15 @@ impl Figures {
 
     /// A number that is another one, too: it stands there as that does.
     pub(super) fn alias(&mut self, key: Key, of: Key) {
+        if self.guarded.contains(&key) {
+            self.wanted_guards.insert(of);
+        }
+        if self.read.contains(&of) {
+            self.read.insert(key);
+        }
+        if self.beside.contains(&key) {
+            self.wanted_beside.insert(of);
+        }
         if let Some(more) = self.finer.get(&key).copied() {
             let own = self.wanted.entry(of).or_insert(0);
             *own = (*own).max(more);
@@ -394,6 +424,14 @@ impl Figures {
         let room = human::last_place(exact).max(OF_READINGS * exact);
         let near = (print.number - exact).abs() <= room * (1.0 + 1e-9);
         near.then_some(libm::copysign(print.number * print.unit.si, si))
+    }
+
+    /// Whether a result that the steps have told would stand in a table otherwise than it is: rounded from numbers that were
+    /// rounded before.
+    pub(super) fn is_off(&self, key: Key, si: f64, unit: &Unit) -> bool {
+        let Some(print) = self.printed.get(&key) else { return false };
+        let [told, own] = [print.number * print.unit.si / unit.si, si.abs() / unit.si];
+        human::number_told(told, own) != human::number(own)
     }
 
     /// Whether a number is printed already.
@@ -446,6 +484,9 @@ impl Figures {
     ) -> (Vec<Rich>, Rich, f64) {
         let exact = si / unit.si;
         let more = key.map_or(0, |key| self.more(key));
+        if key.is_some_and(|key| self.guarded.contains(&key)) {
+            self.wanted_guards.extend(factors.iter().filter_map(|(key, ..)| *key));
+        }
         let (mut text, mut number) = human::limited(exact, more);
         // What stands in no other line has as many figures as this one takes to close.
         let mut tell = |finer: usize| -> Vec<(Rich, f64)> {

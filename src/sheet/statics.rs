@@ -94,10 +94,14 @@ fn asked(sheet: &ForceSheet, arm: &Arm) -> Option<Force> {
     }
 }
 
-/// The number of an arm on the sheet, from 1 on; the arm of the shaking force has none.
+/// The number of an arm on the sheet, from 1 on; an arm that only the shaking force has has none.
 fn numbered(sheet: &ForceSheet, arm: &Arm) -> Option<usize> {
     let last = sheet.shaking.as_ref().and_then(|shaking| shaking.found.arm);
-    if last.is_some_and(|last| last == *arm) {
+    let of_others = || {
+        let all = sheet.moments.iter().chain(&sheet.frame_line);
+        all.flat_map(|moments| moments.terms.iter().chain([&moments.found]))
+    };
+    if last.is_some_and(|last| last == *arm) && !of_others().any(|term| term.arm == Some(*arm)) {
         return None;
     }
     let all = sheet.moments.iter().chain(&sheet.frame_line).chain(&sheet.shaking);
@@ -224,10 +228,10 @@ impl Teller<'_> {
         let mut figures = self.figures.borrow_mut();
         let factor = metres / unit.si / mm;
         if !figures.has(key) {
-            let (_, amount, written) = human::reading_at(mm, factor, metres / unit.si, figures.more(key));
+            let (_, amount, written) = human::measured_at(mm, factor, metres / unit.si, figures.more(key));
             figures.note(key, &amount, (written, metres / unit.si), unit);
         }
-        let (reading, ..) = human::reading_at(mm, factor, metres / unit.si, figures.more(key));
+        let (reading, ..) = human::measured_at(mm, factor, metres / unit.si, figures.more(key));
         let told = figures.tell(key, metres, unit);
         (reading, human::with_unit(&told, &unit.symbol))
     }
@@ -1994,7 +1998,11 @@ impl Teller<'_> {
         // What another line has told is read as it stands there.
         let own = figures.print_of(key).filter(|print| print.unit == *unit).map(Print::si);
         let read = own.unwrap_or(size) / unit.si;
-        let (reading, amount, written) = human::reading_at(mm, factor, read, figures.more(key));
+        let more = figures.more(key);
+        let (reading, amount, written) = match figures.guards() {
+            true => figures.read_off(key, mm, factor, read, more),
+            false => human::reading_at(mm, factor, read, more),
+        };
         figures.note(key, &amount, (written, size / unit.si), unit);
         let reading = reading
             .up(TIMES)

@@ -17,7 +17,7 @@ use crate::graphical::construction::{
     Act, Calculation, CircleDiagram, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term,
     TermDirection, Vector, VectorKind,
 };
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Answer, DiagramKind, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, Link, LinkId, Path, PointId, Rider, Roll, Slide};
 use crate::plan::Auxiliary;
@@ -45,7 +45,7 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
 /// The same with the figures in which numbers are printed there.
 #[must_use]
 pub fn items_in_figures(construction: &Construction, notation: &Notation<'_>) -> (Vec<Item>, Figures) {
-    let (told, figures) = settled(|figures| tell(construction, notation, figures));
+    let (told, figures) = with_true_results(construction, notation);
     (told.into_iter().flat_map(|told| told.items).collect(), figures)
 }
 
@@ -65,15 +65,49 @@ pub struct Told {
 /// The same step by step.
 #[must_use]
 pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told> {
-    settled(|figures| tell(construction, notation, figures)).0
+    with_true_results(construction, notation).0
+}
+
+/// What is told, settled; and where a result would stand in the table otherwise than it is, because it was rounded from numbers
+/// that had been rounded before, with a figure more as a guard in all from which it follows.
+fn with_true_results(construction: &Construction, notation: &Notation<'_>) -> (Vec<Told>, Figures) {
+    let tell = |figures: &RefCell<Figures>| tell(construction, notation, figures);
+    let (told, figures) = settled(tell);
+    let off = |figures: &Figures| -> Vec<Key> {
+        let asked = notation.mechanism().asked.iter().zip(&construction.answers);
+        let sized = asked.filter_map(|(asked, reading)| {
+            let size = match &reading.answer {
+                Answer::Scalar { value, .. } => *value,
+                Answer::Vector { value: [x, y], .. } => libm::hypot(*x, *y),
+                Answer::AtInfinity { .. } | Answer::Indeterminate(_) => return None,
+            };
+            let polygon = asked.method == Method::Polygon && !reading.zero;
+            let key = Key::of(asked.quantity, notation);
+            (polygon && figures.is_off(key, size, &asked.unit)).then_some(key)
+        });
+        sized.collect()
+    };
+    let before = off(&figures);
+    if before.is_empty() {
+        return (told, figures);
+    }
+    let guarded = settled_from(figures.guarding(&before), tell);
+    match off(&guarded.1).len() < before.len() {
+        true => guarded,
+        false => (told, figures),
+    }
 }
 
 /// What is told, with numbers as they are printed. What is used later in a line that would not close has the figures that this
 /// line needs where it is first told: it is told again until every line has what it needs. With the figures in which it is.
 pub(super) fn settled<T>(tell: impl Fn(&RefCell<Figures>) -> T) -> (T, Figures) {
+    settled_from(Figures::default(), tell)
+}
+
+fn settled_from<T>(first: Figures, tell: impl Fn(&RefCell<Figures>) -> T) -> (T, Figures) {
     /// What needs figures for what needs figures, and so on: further back the steps do not look.
     const ROUNDS: usize = 12;
-    let mut next = RefCell::new(Figures::default());
+    let mut next = RefCell::new(first);
     let mut told = tell(&next);
     for _ in 0..ROUNDS {
         if next.borrow().suffice() {
@@ -669,11 +703,21 @@ impl Teller<'_> {
             None => unknown(),
         };
         let direction = match term.direction {
-            Some(TermDirection::Found) => Rich::tick(),
+            Some(TermDirection::Found) => self.by_angle(term.quantity).unwrap_or_else(Rich::tick),
             Some(TermDirection::Claim(claim)) => self.notation.claim(claim),
             None => unknown(),
         };
         (magnitude, direction)
+    }
+
+    /// The direction of what this step calculates and lays off along nothing that has a name: nobody has found it on paper.
+    fn by_angle(&self, quantity: Quantity) -> Option<Rich> {
+        let mut laid_off = self.step.acts.iter().filter_map(|act| match act {
+            Act::LayOffVector { vector, .. } => self.vector(*vector),
+            _ => None,
+        });
+        let own = laid_off.find(|vector| vector.quantity == quantity)?;
+        (own.claim.is_none() && !own.is_zero && !own.as_point).then(|| self.angle_of(own))
     }
 
     fn polygon(&self) -> Option<&Diagram> {
@@ -682,6 +726,40 @@ impl Teller<'_> {
 
     fn vector(&self, index: usize) -> Option<&Vector> {
         self.polygon()?.vectors.get(index)
+    }
+
+    /// Of two lines that meet in the image of a point in which bodies roll on each other: that image and the one of the other
+    /// body, from which one of the lines comes. Nothing slips there: the two images are one, and no line is needed.
+    fn touching(&self) -> Option<[Label; 2]> {
+        /// Nearer than this two places on the paper are one, mm.
+        const ONE: f64 = 1e-6;
+        if self.step.diagram != DiagramKind::Velocity {
+            return None;
+        }
+        let at =
+            |label: Label| self.polygon()?.images.iter().find(|image| image.label == label).map(|i| i.at);
+        let contact = |label: Label| match label {
+            Label::Image { point, .. } => {
+                Some(point).filter(|p| self.notation.mechanism().contacts.contains(p))
+            }
+            _ => None,
+        };
+        let met = self.step.acts.iter().filter_map(|act| match act {
+            Act::MarkMeet { label, .. } => Some(*label),
+            _ => None,
+        });
+        let rays = || {
+            self.step.acts.iter().filter_map(|act| match act {
+                Act::DrawRay { from, .. } => Some(*from),
+                _ => None,
+            })
+        };
+        let mut pairs = met.flat_map(|own| rays().map(move |other| [own, other]));
+        pairs.find(|[own, other]| {
+            let one = contact(*own).is_some() && contact(*own) == contact(*other);
+            let apart = at(*own).zip(at(*other)).map(|([ax, ay], [bx, by])| libm::hypot(ax - bx, ay - by));
+            one && apart.is_some_and(|apart| apart < ONE)
+        })
     }
 
     /// The symbol of a drawn vector.
@@ -1066,6 +1144,14 @@ impl Teller<'_> {
                     _ => words.lay_off_vector,
                 };
                 Rich::fill(template, &parts)
+            }
+            Act::DrawRay { from, .. } if self.touching().is_some_and(|[_, other]| other == *from) => {
+                return None;
+            }
+            Act::MarkMeet { label, .. } if self.touching().is_some_and(|[own, _]| own == *label) => {
+                let [_, with] = self.touching()?;
+                let same = Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(with))]);
+                Rich::fill(words.no_slip, &[("same", same)])
             }
             Act::DrawRay { from, claim } => {
                 Rich::fill(words.draw_ray, &[("from", image(*from)), ("direction", n.claim(*claim))])

@@ -211,9 +211,8 @@ fn name_turning(
             let Some((t0, _)) = clip(at, end, window).filter(|(t0, _)| *t0 > 0.0) else { return };
             let border = at.lerp(end, t0);
             let metres = at.distance(border) * construction.space.metres_per_mm;
-            let far = human::quantity(metres, &notation.scene.units.length);
-            let request =
-                leader(name(pole, notation).up("\u{a0}").then(&far), border, 0.6, "label centre-name");
+            let text = super::centres::further(name(pole, notation), metres, notation);
+            let request = leader(text, border, 0.6, "label centre-name");
             if !overlay.labels.contains(&request) {
                 overlay.labels.push(request);
             }

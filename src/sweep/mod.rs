@@ -411,6 +411,7 @@ impl Sweep {
         let (stretches, events, looked) = course::walk(&sweep, start, sweep.looks);
         sweep.stretches = stretches;
         sweep.events = events;
+        sweep.tell_dead_positions_once();
         sweep.looked = looked;
         if range_is_free {
             sweep.end_where_it_ends();
@@ -430,6 +431,25 @@ impl Sweep {
         sweep.reversals = reversals::reversals(placed, &sweep, over, stated);
         sweep.mend_extremes();
         Ok(sweep)
+    }
+
+    /// A dead position in which several divisors vanish for the same links is one: each of their roots is known to its rounding.
+    fn tell_dead_positions_once(&mut self) {
+        /// Of the size of the input's numbers.
+        const ONE: f64 = 1e-9;
+        let room = ONE * self.size();
+        let mut told: Vec<Event> = Vec::new();
+        for event in std::mem::take(&mut self.events) {
+            let same = |other: &Event| {
+                [event.kind, other.kind].iter().all(|kind| matches!(kind, EventKind::DeadPosition))
+                    && (event.at - other.at).abs() <= room
+                    && self.links(&event) == self.links(other)
+            };
+            if !told.iter().any(same) {
+                told.push(event);
+            }
+        }
+        self.events = told;
     }
 
     /// Cuts a range that nobody stated down to what is reached without taking the mechanism apart.
