@@ -79,6 +79,7 @@ mod random_sheets;
 mod rooms;
 mod second_examiner;
 mod signed_sheets;
+mod sixty_sheets;
 mod stated;
 #[path = "statements/main.rs"]
 mod statements;

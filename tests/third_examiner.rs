@@ -11,59 +11,59 @@ use serde_json::{Map, Value, json};
 use crate::common::hand_in::graded;
 use crate::common::plane::{Xy, cross, dot, long, minus, plus, times, unit};
 
-fn read(scene: &Value) -> Scene {
+pub(crate) fn read(scene: &Value) -> Scene {
     scene::read(&scene.to_string(), "scene.json").unwrap()
 }
 
-fn left(v: Xy) -> Xy {
+pub(crate) fn left(v: Xy) -> Xy {
     [-v[1], v[0]]
 }
 
 /// The numbers by which two vectors add up to a third.
-fn resolve(target: Xy, [one, other]: [Xy; 2]) -> [f64; 2] {
+pub(crate) fn resolve(target: Xy, [one, other]: [Xy; 2]) -> [f64; 2] {
     let det = cross(one, other);
     [cross(target, other) / det, cross(one, target) / det]
 }
 
 /// Four figures, as people write.
-fn four(value: f64) -> f64 {
+pub(crate) fn four(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap()
 }
 
-fn vector(v: Xy, unit: &str) -> Value {
+pub(crate) fn vector(v: Xy, unit: &str) -> Value {
     let degrees = libm::atan2(v[1], v[0]).to_degrees();
     json!({ "magnitude": format!("{} {unit}", four(long(v))), "direction": (degrees * 10.0).round() / 10.0 })
 }
 
-fn turning(value: f64, unit: &str) -> Value {
+pub(crate) fn turning(value: f64, unit: &str) -> Value {
     json!({ "value": format!("{} {unit}", four(value.abs())), "sense": if value < 0.0 { "cw" } else { "ccw" } })
 }
 
-fn handed_in(values: Vec<(&str, Value)>) -> Map<String, Value> {
+pub(crate) fn handed_in(values: Vec<(&str, Value)>) -> Map<String, Value> {
     values.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-fn report(scene: &Value, values: &Map<String, Value>) -> Report {
+pub(crate) fn report(scene: &Value, values: &Map<String, Value>) -> Report {
     graded(&read(scene), &json!({ "values": values }))
 }
 
-fn wrong(report: &Report) -> Vec<&str> {
+pub(crate) fn wrong(report: &Report) -> Vec<&str> {
     let wrong = report.quantities.iter().filter(|one| one.verdict == Verdict::Wrong);
     wrong.map(|one| one.name.as_str()).collect()
 }
 
-fn verdict(report: &Report, name: &str) -> Verdict {
+pub(crate) fn verdict(report: &Report, name: &str) -> Verdict {
     report.quantities.iter().find(|one| one.name == name).unwrap().verdict
 }
 
 /// The first name of a wrong answer, with what was done.
-fn named(report: &Report, name: &str) -> Option<(Kind, String)> {
+pub(crate) fn named(report: &Report, name: &str) -> Option<(Kind, String)> {
     let graded = report.quantities.iter().find(|one| one.name == name).unwrap();
     graded.mistakes.first().map(|mistake| (mistake.kind, mistake.text().to_string()))
 }
 
 /// One fault, at this answer, of this kind.
-fn one_fault(report: &Report, at: &str, kind: Kind) {
+pub(crate) fn one_fault(report: &Report, at: &str, kind: Kind) {
     assert_eq!(wrong(report), [at], "{}", report.to_text());
     assert_eq!(named(report, at).map(|(kind, _)| kind), Some(kind), "{}", report.to_text());
 }
@@ -71,21 +71,25 @@ fn one_fault(report: &Report, at: &str, kind: Kind) {
 // --- a four-bar ----------------------------------------------------------------------------------
 
 /// Crank 60 mm at 70°, coupler 150 mm with C at 110 and 80 mm from A and B, rocker 120 mm about (175, −20) mm.
-struct FourBar {
-    vb: Xy,
-    vc: Xy,
-    omega: [f64; 2],
-    normal: [Xy; 2],
-    ab: Xy,
-    ac: Xy,
-    alpha: [f64; 2],
+pub(crate) struct FourBar {
+    /// A, B and C.
+    pub(crate) places: [Xy; 3],
+    pub(crate) va: Xy,
+    pub(crate) vb: Xy,
+    pub(crate) vc: Xy,
+    pub(crate) omega: [f64; 2],
+    pub(crate) normal: [Xy; 2],
+    pub(crate) aa: Xy,
+    pub(crate) ab: Xy,
+    pub(crate) ac: Xy,
+    pub(crate) alpha: [f64; 2],
 }
 
 const RATE: f64 = 4.0 * std::f64::consts::PI;
 
 impl FourBar {
     /// With a normal part of this size to a velocity and a length.
-    fn with(size: impl Fn(f64, f64) -> f64) -> Self {
+    pub(crate) fn with(size: impl Fn(f64, f64) -> f64) -> Self {
         let (a, pivot) = (times(unit(70_f64.to_radians()), 60.0), [175.0, -20.0]);
         let base = minus(pivot, a);
         let far = long(base);
@@ -113,10 +117,10 @@ impl FourBar {
             plus(from, plus(times(d, p), times(left(d), q)))
         };
         let (vc, ac) = (image(va, vb), image(aa, ab));
-        Self { vb, vc, omega, normal, ab, ac, alpha }
+        Self { places: [a, b, image(a, b)], va, vb, vc, omega, normal, aa, ab, ac, alpha }
     }
 
-    fn scene() -> Value {
+    pub(crate) fn scene() -> Value {
         json!({
             "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [175, -20] },
             "links": { "2": { "joins": ["O2", "A"], "length": 60 },
@@ -128,7 +132,7 @@ impl FourBar {
     }
 
     /// All answers, the input so many times too fast.
-    fn values(&self, faster: f64) -> Map<String, Value> {
+    pub(crate) fn values(&self, faster: f64) -> Map<String, Value> {
         let square = faster * faster;
         let (v, a, w, e) = ("mm/s", "mm/s^2", "rad/s", "rad/s^2");
         handed_in(vec![
@@ -146,7 +150,7 @@ impl FourBar {
     }
 }
 
-fn squared(speed: f64, length: f64) -> f64 {
+pub(crate) fn squared(speed: f64, length: f64) -> f64 {
     speed * speed / length
 }
 

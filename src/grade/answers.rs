@@ -182,15 +182,15 @@ impl Answers {
     }
 
     /// Takes the points of a drawing (the SVG of a vector editor) beside what the answers say themselves; `file` is
-    /// named in diagnostics.
+    /// named in diagnostics. A letter whose mark nobody can tell is among the [`Answers::unread`].
     ///
     /// # Errors
-    /// A text that is no SVG, a letter with nothing beside it, or a figure of which the answers have points already.
+    /// A text that is no SVG, one of which no letter is understood, or a figure of which the answers have points already.
     pub fn add_drawing(&mut self, svg: &str, file: &str, scene: &Scene) -> Result<(), Diagnostic> {
-        let figures = super::drawing::points(svg, scene).map_err(|fault| fault.locate(file, svg, None))?;
+        let drawing = super::drawing::points(svg, scene).map_err(|fault| fault.locate(file, svg, None))?;
         // What is wrong with a point of the drawing is told at the key that names the drawing.
         let at = self.drawing_at;
-        for (mut figure, scale) in figures {
+        for (mut figure, scale) in drawing.figures {
             if self.figures.iter().any(|known| known.order == figure.order) {
                 let what = "the points of one figure stand in `points` and in the drawing";
                 return Err(self.complain(at, what, Some("keep one of the two".to_owned())));
@@ -202,6 +202,11 @@ impl Answers {
             self.scales.tell(figure.order, scale);
             self.figures.push(figure);
         }
+        let located = |(name, fault): (String, Fault)| {
+            let why = fault.locate(file, svg, None);
+            Unread { name, quantity: None, why }
+        };
+        self.elsewhere.extend(drawing.open.into_iter().map(located));
         Ok(())
     }
 

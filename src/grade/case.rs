@@ -10,7 +10,7 @@ use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance
 use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::force_mistakes::same as same_force;
 use super::phrase::{Phrase, say};
-use super::symbols::Symbols;
+use super::symbols::{ANGULAR_ACCELERATION, Symbols};
 use super::turned::{self, Turns};
 use super::unread::Unread;
 use super::{GradeError, GradeSettings};
@@ -114,8 +114,8 @@ pub(super) struct Case<'s> {
     pub(super) pivots: Vec<(PointId, [f64; 2])>,
     /// How many times larger than at the sheet's scale the skeleton was drawn as a whole, where that is not 1.
     pub(super) enlarged: Option<f64>,
-    /// The scales of the polygons of which lengths were measured and none was stated, as these lengths tell them; SI units
-    /// per millimetre.
+    /// The scales of the polygons for which none was stated, as they tell them themselves, or lengths that were measured on
+    /// them; SI units per millimetre.
     pub(super) own_scales: Vec<(Order, f64)>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
@@ -318,7 +318,10 @@ impl<'s> Case<'s> {
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
-        let own = case.scales_of_lengths(answers);
+        let mut not_found = Vec::new();
+        let figures = answers.figures.iter().map(|figure| case.found(answers, figure, &mut not_found));
+        let mut figures: Vec<Found<'_>> = figures.collect();
+        let own = case.own_scales(&figures);
         if !own.is_empty() {
             let mut at_own = answers.clone();
             own.iter().for_each(|(order, si_per_mm)| at_own.scales.tell(*order, Some(*si_per_mm)));
@@ -327,8 +330,7 @@ impl<'s> Case<'s> {
             case.own_scales = own;
             return Ok(case);
         }
-        let figures = answers.figures.iter().map(|figure| case.found(answers, figure, &mut unread));
-        let mut figures: Vec<Found<'_>> = figures.collect();
+        unread.extend(not_found);
         case.take_to_scale(&mut figures);
         case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
         for figure in figures {
@@ -403,13 +405,12 @@ impl<'s> Case<'s> {
         }
     }
 
-    /// The scale of each polygon for which the student states none and of which he measured several lengths, where these
-    /// are all as many times too long, or but a few: it was drawn so.
-    fn scales_of_lengths(&self, answers: &Answers) -> Vec<(Order, f64)> {
+    /// The scale of each polygon for which the student states none, where it was drawn as a whole as many times too large, or
+    /// several lengths of it that he measured are: SI units per millimetre.
+    fn own_scales(&self, figures: &[Found<'_>]) -> Vec<(Order, f64)> {
         let seen = self.seen(&self.right, &Change::default());
         let of = |order: Order| {
-            let figure = answers.figures.iter().any(|figure| figure.order == order);
-            if figure || self.stated.of(order.dimension()).is_some() {
+            if self.stated.of(order.dimension()).is_some() {
                 return None;
             }
             let mut times: Vec<f64> = Vec::new();
@@ -428,24 +429,24 @@ impl<'s> Case<'s> {
                     false => told.push(given / right),
                 }
             }
-            times.sort_by(f64::total_cmp);
-            let factor = *times.get(times.len() / 2)?;
-            let alike = |factor: f64| move |own: &&f64| (*own / factor - 1.0).abs() <= ONE_SCALE;
-            let agreeing: Vec<f64> = times.iter().filter(alike(factor)).copied().collect();
-            let at_the_sheets = times.iter().filter(alike(1.0)).count();
+            let factor = match figures.iter().find(|found| found.figure.order == order) {
+                Some(found) => turned::own_size(&self.mechanism, &self.right.construction, found),
+                None => of_lengths(times),
+            };
             // What is calculated, and as many times too large, shows that it is no scale.
-            let faster = told.iter().any(|own| alike(factor)(&own));
-            let is_own = factor > 0.0
-                && (factor - 1.0).abs() > ONE_SCALE
-                && agreeing.len() >= 2
-                && 3 * agreeing.len() >= 2 * times.len()
-                && agreeing.len() > at_the_sheets
-                && !faster;
-            #[expect(clippy::cast_precision_loss, reason = "answers are few")]
-            let mean = agreeing.iter().sum::<f64>() / agreeing.len().max(1) as f64;
-            is_own.then(|| (order, self.si_per_mm(order) / mean))
+            let faster = |factor: &f64| told.iter().any(|own| is_of_scale(*own, *factor));
+            factor
+                .filter(|factor| !is_of_scale(*factor, 1.0) && !faster(factor))
+                .map(|factor| (order, factor))
         };
-        [Order::Velocity, Order::Acceleration].into_iter().filter_map(of).collect()
+        let factors = [Order::Velocity, Order::Acceleration].map(of);
+        if let [Some((_, speed)), Some((_, acceleration))] = factors
+            && is_of_scale(acceleration, speed * speed)
+            && mixed_rates().any(|mixed| is_of_scale(speed, mixed))
+        {
+            return Vec::new();
+        }
+        factors.into_iter().flatten().map(|(order, factor)| (order, self.si_per_mm(order) / factor)).collect()
     }
 
     /// A quantity as a scene names it; the report tells what it is called on the sheet.
@@ -489,7 +490,12 @@ impl<'s> Case<'s> {
         let named = self.named.borrow();
         let named = named.iter().map(|(name, quantity)| (name.clone(), *quantity));
         all.extend(asked.chain(named).map(|(name, quantity)| (name, self.symbol(quantity))));
-        Symbols::new(all)
+        // As the sheet writes ε; without a link that moves nobody speaks of it.
+        let letter = self.mechanism.moving().next().and_then(|link| {
+            let symbol = crate::sheet::symbol(scene, Quantity::Alpha(link)).plain;
+            symbol.chars().next().filter(|letter| ANGULAR_ACCELERATION.contains(letter))
+        });
+        Symbols::new(all, letter)
     }
 
     /// A quantity as the sheet prints it; a load without a name by the link on which it acts.
@@ -1014,10 +1020,6 @@ impl<'s> Case<'s> {
             }
             _ => return None,
         };
-        // What would leave the sheet is not drawn.
-        if size(&own) > FARTHEST {
-            return None;
-        }
         let to = [vector.from[0] + own[0], vector.from[1] + own[1]];
         Some(HandedIn { diagram: order.diagram(), from: vector.from, to, head: vector.head })
     }
@@ -1310,24 +1312,39 @@ impl<'s> Case<'s> {
         times.filter(|times| times.is_finite()).map_or(1.0, |times| times.max(1.0))
     }
 
-    /// Vectors that are written in another unit than all others of their diagram, which are two or more, each with its unit as
-    /// a part of theirs.
+    /// Vectors that are written in another unit of length than all others of their diagram, or of both, which are two or more,
+    /// each with its unit as a part of theirs.
     pub(super) fn in_odd_units(&self) -> Vec<(Quantity, f64)> {
+        // The unit of length in it: velocities and accelerations are written in one.
+        let length = |quantity: &Quantity, unit: f64| {
+            let time = self.scene.units.time.si;
+            match quantity.order() {
+                Order::Position => unit,
+                Order::Velocity => unit * time,
+                Order::Acceleration => unit * time * time,
+            }
+        };
+        let of_motion = |quantity: &Quantity| {
+            super::answers::is_vector(quantity)
+                && !tolerance::is_place(quantity)
+                && !matches!(quantity, Quantity::Force(..))
+        };
         let vectors = || {
             self.observations.iter().filter(|one| !one.on_paper).filter_map(|one| {
-                let quantity = one.quantity.filter(super::answers::is_vector)?;
-                (!tolerance::is_place(&quantity)).then_some((quantity, one.unit.si))
+                let quantity = one.quantity.filter(of_motion)?;
+                Some((quantity, length(&quantity, one.unit.si)))
             })
         };
-        let odd = |(quantity, own): (Quantity, f64)| {
-            let mut others = vectors()
-                .filter(|(other, _)| *other != quantity && other.order() == quantity.order())
-                .map(|(_, unit)| unit);
+        let odd_among = |(quantity, own): (Quantity, f64), all: bool| {
+            let beside = |other: &Quantity| *other != quantity && (all || other.order() == quantity.order());
+            let mut others = vectors().filter(|(other, _)| beside(other)).map(|(_, unit)| unit);
             let first = others.next()?;
             let second = others.next()?;
-            let alike = second == first && others.all(|unit| unit == first);
-            (alike && own != first).then_some((quantity, own / first))
+            let is_one = |one: f64, other: f64| (one / other - 1.0).abs() <= ROUNDING;
+            let alike = is_one(second, first) && others.all(|unit| is_one(unit, first));
+            (alike && !is_one(own, first)).then_some((quantity, own / first))
         };
+        let odd = |one: (Quantity, f64)| odd_among(one, false).or_else(|| odd_among(one, true));
         vectors().filter_map(odd).collect()
     }
 
@@ -1624,6 +1641,21 @@ impl<'s> Case<'s> {
         is_place(observation) || observation.quantity == Some(rest)
     }
 
+    /// Whether a place and all others that are handed in beside it are one, or it alone is the origin, as far as may be told: of
+    /// such no unit and no scale tells anything.
+    pub(super) fn is_one_place(&self, index: usize) -> bool {
+        let given = |index: usize| match self.observations[index].given {
+            Given::Vector(at) if is_place(&self.observations[index]) => Some(at),
+            _ => None,
+        };
+        let Some([x, y]) = given(index) else { return false };
+        let room = self.rooms[index].by;
+        let others = (0..self.observations.len()).filter(|&other| other != index).filter_map(given);
+        let others: Vec<[f64; 2]> = others.collect();
+        let near = |[u, v]: &[f64; 2]| libm::hypot(u - x, v - y) <= room;
+        if others.is_empty() { near(&[0.0; 2]) } else { others.iter().all(near) }
+    }
+
     /// Whether an answer is nothing for the hand where the right one is not.
     pub(super) fn hands_in_nothing(&self, index: usize) -> bool {
         let given = self.given_size(index);
@@ -1816,16 +1848,41 @@ const UNSEEN: f64 = 1e-6;
 /// What is shorter than this on paper (mm) does not tell a scale.
 const MEASURED: f64 = 4.0;
 /// Lengths that are too long by factors that differ by no more than this part are of one scale.
-const ONE_SCALE: f64 = 0.04;
+pub(super) const ONE_SCALE: f64 = 0.04;
+
+/// Whether something is as many times too long as another.
+fn is_of_scale(own: f64, factor: f64) -> bool {
+    (own / factor - 1.0).abs() <= ONE_SCALE
+}
+
+/// How many times too long lengths of one polygon are: as long as two of them say so and but a few do not, and not as many
+/// are as they should be.
+fn of_lengths(mut times: Vec<f64>) -> Option<f64> {
+    times.sort_by(f64::total_cmp);
+    let factor = *times.get(times.len() / 2)?;
+    let alike = |factor: f64| move |own: &&f64| is_of_scale(**own, factor);
+    let agreeing: Vec<f64> = times.iter().filter(alike(factor)).copied().collect();
+    let at_the_sheets = times.iter().filter(alike(1.0)).count();
+    let is_own = factor > 0.0
+        && agreeing.len() >= 2
+        && 3 * agreeing.len() >= 2 * times.len()
+        && agreeing.len() > at_the_sheets;
+    #[expect(clippy::cast_precision_loss, reason = "answers are few")]
+    let mean = agreeing.iter().sum::<f64>() / agreeing.len().max(1) as f64;
+    is_own.then_some(mean)
+}
+
+/// How many times too fast an input becomes whose unit is taken for another: polygons that are larger by such a factor and
+/// by its square tell that, and no scale.
+fn mixed_rates() -> impl Iterator<Item = f64> {
+    [30.0 / PI, 2.0 * PI, 60.0, 180.0 / PI].into_iter().flat_map(|factor| [factor, 1.0 / factor])
+}
 
 /// Two points of the right solution that lie nearer to each other (mm) may have one mark.
 const ONE_POINT: f64 = 1.0;
 
 /// A fixed point that stands farther from its place than this (mm) is drawn elsewhere.
 const ELSEWHERE: f64 = 1.2;
-
-/// A vector that is longer on paper (mm) is not drawn beside the right one.
-const FARTHEST: f64 = 400.0;
 
 /// A tolerance that is not wider than this, against that of the right drawing, is the same.
 pub(super) const WIDE: f64 = 2.0;

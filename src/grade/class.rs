@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::judge::Verdict;
 use super::phrase::{Phrase, say};
-use super::report::Report;
+use super::report::{Graded, Report};
 use super::text::marks;
 
 /// One hand-in of a class.
@@ -89,7 +89,7 @@ pub fn class_csv(class: &[HandIn]) -> String {
     let mut names: Vec<String> = Vec::new();
     let reports = || class.iter().filter_map(|one| one.outcome.as_ref().ok());
     for report in reports() {
-        let own = report.quantities.iter().map(|graded| graded.name.as_str());
+        let own = report.quantities.iter().map(asked_as);
         let unread = report.not_read.iter().map(|one| one.name.as_str());
         let missing = report.missing.iter().map(|(name, _)| name.as_str());
         for name in own.chain(missing).chain(unread).map(column) {
@@ -127,7 +127,7 @@ pub fn class_csv(class: &[HandIn]) -> String {
                 fields.push(field(report.student.as_deref().unwrap_or("")));
                 fields.extend([marks(reached), marks(of), percent, field(first), field(&mistake)]);
                 fields.extend(names.iter().map(|name| {
-                    let graded = report.quantities.iter().find(|graded| column(&graded.name) == *name);
+                    let graded = report.quantities.iter().find(|graded| column(asked_as(graded)) == *name);
                     let missing = report.missing.iter().any(|(missing, _)| column(missing) == *name);
                     let unread = report.not_read.iter().any(|one| column(&one.name) == *name);
                     let silent = match (unread, missing) {
@@ -146,6 +146,11 @@ pub fn class_csv(class: &[HandIn]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// What an answer is called: as the scene asks for it, however somebody writes it.
+fn asked_as(graded: &Graded) -> &str {
+    graded.find.as_deref().unwrap_or(&graded.name)
 }
 
 /// The column of an answer: a point of a figure has one, with whatever primes and strokes somebody writes its letter.

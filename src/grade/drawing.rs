@@ -2,7 +2,8 @@
 //!
 //! Letters and marks are matched one to one, so that the letters in all lie as near to their marks as they can: a dot
 //! rather than a place where lines end, that rather than the end of one line. Whatever leaves a choice (a mark that two
-//! letters claim, two marks as near, none within reach) is told, never guessed. Which figure a letter belongs to is told
+//! letters claim, two marks as near, none within reach) is told, never guessed, and leaves open what that letter names and
+//! nothing else. Which figure a letter belongs to is told
 //! by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`), and without layers by its
 //! spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
 //!
@@ -91,9 +92,13 @@ struct Mark {
 
 /// Reads the points of a drawing into the answers.
 pub(super) fn read(svg: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
-    for (figure, scale) in points(svg, scene)? {
+    let Drawing { figures, open } = points(svg, scene)?;
+    for (figure, scale) in figures {
         answers.scales.tell(figure.order, scale);
         answers.figures.push(figure);
+    }
+    for (name, fault) in open {
+        answers.miss(&name, None, fault);
     }
     Ok(answers)
 }
@@ -101,8 +106,16 @@ pub(super) fn read(svg: &str, scene: &Scene, mut answers: Answers) -> Res<Answer
 /// The points of a figure, and its scale in SI units per millimetre where it says that itself.
 pub(super) type Figure = (FigurePoints, Option<f64>);
 
-/// The points of a drawing by figure, millimetres, y up.
-pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
+/// What a drawing shows.
+pub(super) struct Drawing {
+    /// The points by figure, millimetres, y up.
+    pub(super) figures: Vec<Figure>,
+    /// The letters whose marks nobody can tell, with their figure (`velocity:b`).
+    pub(super) open: Vec<(String, Fault)>,
+}
+
+/// The points of a drawing.
+pub(super) fn points(svg: &str, scene: &Scene) -> Res<Drawing> {
     weigh(svg)?;
     // A vector editor declares the addresses of its namespaces in the document type; nothing that it names is opened.
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
@@ -124,7 +137,14 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
     letters.retain(|letter| !figures.iter().any(|(figure, _)| figure.order == letter.order));
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
     let mut shared: Vec<(usize, String, String)> = Vec::new();
-    for (letter, (mark, rival)) in matched(letters, &marks, &leaders)? {
+    let (found, doubtful) = matched(letters, &marks, &leaders);
+    let mut open: Vec<(String, Fault)> = Vec::new();
+    let in_figure = |order: Order, name: &str| format!("{}:{name}", super::case::figure_name(order));
+    for (letter, fault) in doubtful {
+        open.extend(letter.names.iter().map(|name| (in_figure(letter.order, name), fault.clone())));
+    }
+    let mut twice: HashSet<(usize, String)> = HashSet::new();
+    for (letter, (mark, rival)) in found {
         let place = [mark.x, -mark.y];
         let index = figures.iter().position(|(f, _)| f.order == letter.order).unwrap_or_else(|| {
             let figure = FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() };
@@ -139,12 +159,20 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
                     free.insert(place);
                 }
                 Entry::Occupied(taken) if *taken.get() != place => {
-                    let fault = Fault::new(letter.at, format!("`{}` names two points", taken.key().1));
-                    return Err(fault.mend("keep one of the two, or tell the figures apart by layers"));
+                    if twice.insert(taken.key().clone()) {
+                        let name = &taken.key().1;
+                        let fault = Fault::new(letter.at, format!("`{name}` names two points"));
+                        let mend = "keep one of the two, or tell the figures apart by layers";
+                        open.push((in_figure(letter.order, name), fault.mend(mend)));
+                    }
                 }
                 Entry::Occupied(_) => {}
             }
         }
+    }
+    // Which of the two is meant, nobody knows.
+    for (index, name) in &twice {
+        figures[*index].0.points.retain(|(known, ..)| known != name);
     }
     for (index, one, other) in shared {
         let points = &figures[index].0.points;
@@ -153,18 +181,26 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<Figure>> {
             figures[index].0.shared.push([one, other]);
         }
     }
+    figures.retain(|(figure, _)| !figure.points.is_empty());
     if figures.is_empty() {
+        if let Some((_, fault)) = open.into_iter().next() {
+            return Err(fault);
+        }
         let fault = Fault::new(root.range().start, "no letter of this drawing names a point of the scene");
         return Err(fault.mend("write A at a joint, a at its velocity image, a′ at its acceleration image, o and o′ at the poles"));
     }
-    Ok(figures)
+    Ok(Drawing { figures, open })
 }
 
 /// A mark, and the other letter that names it too, where there is one.
 type Named = (Point, Option<String>);
 
-/// The letters with their marks.
-fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> Res<Vec<(Letter, Named)>> {
+/// The letters with their marks, and those whose mark nobody can tell.
+fn matched(
+    letters: Vec<Letter>,
+    marks: &[Mark],
+    leaders: &[[Point; 2]],
+) -> (Vec<(Letter, Named)>, Vec<(Letter, Fault)>) {
     let places: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
     let nearest = Nearest::new(&places);
     // In heights of the letter, the nearest first.
@@ -191,33 +227,32 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> 
         claims.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         claims
     };
-    let mut costs: Vec<Vec<(usize, f64)>> = letters.iter().map(claims).collect();
+    let mut open: Vec<(Letter, Fault)> = Vec::new();
+    let (mut near, mut costs): (Vec<Letter>, Vec<Vec<(usize, f64)>>) = (Vec::new(), Vec::new());
     // The same letter twice beside one mark is written twice, and names one point.
     let mut kept: HashSet<(u8, Vec<String>, usize)> = HashSet::new();
-    let mut twice = Vec::new();
-    for (index, (letter, claims)) in letters.iter().zip(&costs).enumerate() {
+    for letter in letters {
+        let claims = claims(&letter);
         let Some(&(mark, _)) = claims.first() else {
             let what = format!("nothing is marked beside the letter `{}`", letter.text());
-            let mend = "set it nearer to its dot or to the end of its line";
-            return Err(Fault::new(letter.at, what).mend(mend));
+            let fault = Fault::new(letter.at, what);
+            open.push((letter, fault.mend("set it nearer to its dot or to the end of its line")));
+            continue;
         };
-        if !kept.insert((letter.order as u8, letter.names.clone(), mark)) {
-            twice.push(index);
+        if kept.insert((letter.order as u8, letter.names.clone(), mark)) {
+            near.push(letter);
+            costs.push(claims);
         }
     }
-    for index in twice.into_iter().rev() {
-        letters.remove(index);
-        costs.remove(index);
-    }
+    let letters = near;
     let given = assign(&costs);
     let cost = |letter: usize, mark: usize| -> Option<f64> {
         costs[letter].iter().find(|(known, _)| *known == mark).map(|(_, cost)| *cost)
     };
     let owner: HashMap<usize, usize> = given.iter().zip(0..).filter_map(|(m, i)| Some(((*m)?, i))).collect();
-    let mut found = Vec::new();
-    for (index, mark) in given.iter().enumerate() {
+    let beside = |index: usize, mark: Option<usize>| -> Res<Named> {
         let letter = &letters[index];
-        let Some(mark) = *mark else {
+        let Some(mark) = mark else {
             // Two letters beside one mark: whether they may be one point is seen by the right solution.
             let nearest = costs[index].first().and_then(|(mark, _)| Some((*mark, *owner.get(mark)?)));
             let Some((mark, rival)) = nearest.filter(|(_, rival)| letters[*rival].order == letter.order)
@@ -225,8 +260,7 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> 
                 let what = format!("`{}` stands beside a mark of another letter", letter.text());
                 return Err(Fault::new(letter.at, what).mend("give each a dot of its own"));
             };
-            found.push((marks[mark].at, Some(letters[rival].text().to_owned())));
-            continue;
+            return Ok((marks[mark].at, Some(letters[rival].text().to_owned())));
         };
         let own = cost(index, mark).unwrap_or(0.0);
         // What nobody else claims so near to it is the same point, drawn twice.
@@ -256,9 +290,17 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> 
             }
             _ => marks[mark].at,
         };
-        found.push((middle, None));
+        Ok((middle, None))
+    };
+    let named: Vec<Res<Named>> = given.iter().enumerate().map(|(index, mark)| beside(index, *mark)).collect();
+    let mut found = Vec::new();
+    for (letter, named) in letters.into_iter().zip(named) {
+        match named {
+            Ok(named) => found.push((letter, named)),
+            Err(fault) => open.push((letter, fault)),
+        }
     }
-    Ok(letters.into_iter().zip(found).collect())
+    (found, open)
 }
 
 impl Letter {

@@ -152,6 +152,13 @@ impl List<'_, '_> {
     fn inertia_torque(&mut self, mass: &Mass, sheet: &ForceSheet) {
         let link = mass.link;
         let name = self.force_name(Force::InertiaTorque(link));
+        // N·mm for N·m, kg·cm² or kg·mm² for kg·m².
+        for (factor, price) in [(1e3, 0.5), (1e4, 0.75), (1e6, 0.75)] {
+            for factor in [factor, 1.0 / factor] {
+                let torque = Departure::InertiaTorque { link: Some(link), factor };
+                self.add(Kind::MetreMixed, &name, None, price, Change::drawn(vec![torque]));
+            }
+        }
         if let Inertia::Gyration(_) = mass.inertia {
             for factor in [4.0, 0.25] {
                 let torque = Departure::InertiaTorque { link: Some(link), factor };
@@ -329,13 +336,16 @@ impl List<'_, '_> {
             let name = self.force_name(Force::Vector(Action::Load(index)));
             let angle = angle.value;
             for (how, other) in [
-                (say!("its angle counted from the other side"), std::f64::consts::PI - angle),
-                (say!("its angle counted clockwise"), -angle),
-                (say!("its angle counted from the y axis"), FRAC_PI_2 - angle),
+                (say!("counted from the other side"), std::f64::consts::PI - angle),
+                (say!("counted clockwise"), -angle),
+                (say!("counted from the y axis"), FRAC_PI_2 - angle),
+                (say!("counted from the y axis"), FRAC_PI_2 + angle),
+                // Within its quadrant, where sine and cosine have other signs.
+                (say!("sine and cosine interchanged"), -FRAC_PI_2 - angle),
             ] {
                 if libm::sin((other - angle) / 2.0).abs() > SAME_ARM {
                     let change = Change::of_inputs(InputChange::LoadTurned { index, by: other - angle });
-                    self.add_so((Kind::LoadWrong, how), &name, None, 0.25, change);
+                    self.add_so((Kind::DirectionMeasured, how), &name, None, 0.25, change);
                 }
             }
         }
@@ -469,16 +479,27 @@ impl List<'_, '_> {
             }
             let how = say!("left out at link {}", number);
             self.add_so((Kind::ForceLeftOut, how), &name, None, price, beside(without, 0.0));
+            // An inertia force that was forgotten, and the torque of inertia that was counted for itself.
+            if acting.at != at {
+                let alone = [Departure::Beside { link, force: without, at: acting.at, couple: 0.0 }];
+                let how = say!("left out at link {}, its couple kept", number);
+                let change = Change::drawn(alone.to_vec());
+                self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.25, change);
+            }
             let Some(about) = balance.and_then(|balance| self.place_of(balance.about)) else { continue };
             let arm = [at[0] - about[0], at[1] - about[1]];
             let moment = arm[0] * acting.force[1] - arm[1] * acting.force[0];
             let how = say!("left out of the polygon of link {}", number);
             self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside(without, moment));
-            let how = say!("left out of the moments of link {}", number);
-            self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside([0.0; 2], -moment));
-            // With the couple that shifts its line, or that counted for itself.
             let arm = [acting.at[0] - about[0], acting.at[1] - about[1]];
             let alone = arm[0] * acting.force[1] - arm[1] * acting.force[0];
+            let how = say!("left out of the moments of link {}", number);
+            self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside([0.0; 2], -moment));
+            if acting.at != at {
+                let how = say!("left out of the moments of link {}, its couple kept", number);
+                self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.75, beside([0.0; 2], -alone));
+            }
+            // With the couple that shifts its line, or that counted for itself.
             for moment in [moment, alone] {
                 let how = say!("in the moments of link {}", number);
                 let reversed = beside([0.0; 2], -2.0 * moment);
@@ -787,6 +808,14 @@ impl List<'_, '_> {
             }
             if departures.len() > 1 {
                 found.push((kind, say!("every friction circle"), PLAIN, departures));
+            }
+        }
+        let journals =
+            friction.pins.iter().filter(|rubbing| matches!(rubbing.circle, FrictionCircle::Journal { .. }));
+        for pin in journals.map(|rubbing| rubbing.pin) {
+            for factor in [2.0, 0.5] {
+                let other = Departure::FrictionCircle { pin, factor };
+                found.push((Kind::DiameterForRadius, name(&other), 0.25, vec![other]));
             }
         }
         for pair in self.case.mechanism.rubbing_pairs() {

@@ -216,8 +216,17 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
             (mistakes, change) = Judge { first: cause, ..judge }.explain();
         }
         let first = cause.unwrap_or(first);
-        verdicts[first] = Some(Verdict::Wrong);
-        faults.push(Fault { first, mistakes });
+        // The same mistake once more, of which the drawing did not show that it leads here as well.
+        match faults.iter().position(|fault: &Fault| is_made_again(fault, &mistakes)) {
+            Some(known) => {
+                verdicts[first] = Some(Verdict::Consistent);
+                caused[first] = Some(known);
+            }
+            None => {
+                verdicts[first] = Some(Verdict::Wrong);
+                faults.push(Fault { first, mistakes });
+            }
+        }
         drawn = change;
         // What follows rightly from the fault.
         let Some(sketch) = case.drawn(&drawn, None) else { continue };
@@ -253,6 +262,14 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
     }
     let verdicts = verdicts.into_iter().map(|v| v.unwrap_or(Verdict::NotChecked)).collect();
     Judgement { verdicts, faults, caused, drawn }
+}
+
+/// Whether what explains an answer closely is what explained an earlier one.
+fn is_made_again(fault: &Fault, mistakes: &[Mistake]) -> bool {
+    let (Some(before), Some(now)) = (fault.mistakes.first(), mistakes.first()) else { return false };
+    let alone = before.also.is_none() && now.also.is_none();
+    let close = before.residual <= CLOSE && now.residual <= CLOSE;
+    alone && close && before.kind == now.kind && before.at == now.at && before.how == now.how
 }
 
 /// Whether a mistake is said of all that is of a kind.
@@ -602,6 +619,7 @@ impl Judge<'_, '_> {
         let mut tried: Vec<Tried> = Vec::new();
         let before_it = self.case.seen(base, before);
         let nothing = self.case.hands_in_nothing(self.first);
+        let collapsed = self.case.is_one_place(self.first);
         for hypothesis in hypotheses {
             let change = before.and(&hypothesis.change);
             let sketch = if hypothesis.change.redraws() { self.case.drawn(&change, None) } else { None };
@@ -632,6 +650,7 @@ impl Judge<'_, '_> {
                 || vanishes
                     && hypothesis.kind == Kind::WrongLine
                     && self.shows_elsewhere(&tried_one, &before_it);
+            let tells = tells && !(collapsed && hypothesis.kind.enlarges());
             if tells
                 && tried_one.misses[self.first] <= 2.0 * EXPLAINED
                 && !self.acquitted(&tried_one, &before_it)
@@ -672,13 +691,20 @@ impl Judge<'_, '_> {
         weighed
     }
 
-    /// Whether a mistake is said to be made at an answer that is right, and that it would change: `before` is what is seen
-    /// without it.
+    /// Whether a mistake is said to be made at an answer that is right, or changes the very vector or number that it is, and
+    /// leads away from it: `before` is what is seen without it.
     fn acquitted(&self, tried: &Tried, before: &[Option<Vec<f64>>]) -> bool {
+        let departs = |quantity: &Quantity| {
+            let mut departures = tried.hypothesis.change.departures.iter();
+            departures.any(|departure| is_of_forces(departure, quantity))
+        };
+        let made_at = |observation: &Observation| {
+            observation.name == tried.hypothesis.at || observation.quantity.as_ref().is_some_and(departs)
+        };
         let all = self.case.observations.iter().enumerate();
-        all.filter(|(_, observation)| observation.name == tried.hypothesis.at).any(|(index, _)| {
+        all.filter(|(_, observation)| made_at(observation)).any(|(index, _)| {
             let was = self.case.miss(index, before[index].as_deref(), self.case.rooms[index]);
-            self.verdicts[index] == Some(Verdict::Right) && (tried.misses[index] - was).abs() > MOVES
+            self.verdicts[index] == Some(Verdict::Right) && tried.misses[index] - was > MOVES
         })
     }
 
@@ -722,8 +748,9 @@ impl Judge<'_, '_> {
     /// Two mistakes at once.
     fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64, unmoved: f64) -> Vec<Tried> {
         // A factor that is fitted to one vector leaves nothing of it to be explained by another mistake.
-        let hypotheses: Vec<Hypothesis> =
-            hypotheses.iter().filter(|one| !self.rests_on_one_vector(one)).cloned().collect();
+        let collapsed = self.case.is_one_place(self.first);
+        let tells = |one: &&Hypothesis| !(self.rests_on_one_vector(one) || collapsed && one.kind.enlarges());
+        let hypotheses: Vec<Hypothesis> = hypotheses.iter().filter(tells).cloned().collect();
         let hypotheses = &hypotheses[..];
         // The first of the two is one that explains something by itself, or changes what the answer depends on.
         let mut singles: Vec<Tried> = hypotheses
@@ -753,7 +780,8 @@ impl Judge<'_, '_> {
                     continue;
                 }
                 pair.cost += SECOND + single.hypothesis.price;
-                if pair.cost < price && !idle(&pair) && unmoved - pair.moved >= MOVES {
+                let leads_to_it = pair.misses[self.first] <= EXPLAINED;
+                if leads_to_it && pair.cost < price && !idle(&pair) && unmoved - pair.moved >= MOVES {
                     all.push((single.clone(), pair));
                 }
             }
@@ -764,10 +792,12 @@ impl Judge<'_, '_> {
         // Of two of which one leaves this answer where it was, only the other explains it; the one is found at the
         // answer that it harms.
         if (single.moved - pair.moved).abs() < MOVES {
-            return vec![single];
+            return if single.misses[self.first] <= EXPLAINED { vec![single] } else { Vec::new() };
         }
         if let Some(alone) = alone.into_iter().find(|one| {
-            one.hypothesis.change == pair.hypothesis.change && (one.moved - pair.moved).abs() < MOVES
+            one.hypothesis.change == pair.hypothesis.change
+                && (one.moved - pair.moved).abs() < MOVES
+                && one.misses[self.first] <= EXPLAINED
         }) {
             return vec![alone];
         }
@@ -840,6 +870,18 @@ impl Judge<'_, '_> {
         }
         best
     }
+}
+
+/// Whether a departure changes just this inertia force, torque or offset.
+fn is_of_forces(departure: &Departure, quantity: &Quantity) -> bool {
+    let Quantity::Force(force, Share::Total) = *quantity else { return false };
+    let (own, of) = match (departure, force) {
+        (Departure::InertiaForce { link, .. }, Force::Vector(Action::Inertia(of)))
+        | (Departure::InertiaTorque { link, .. }, Force::InertiaTorque(of))
+        | (Departure::Offset { link, .. }, Force::Offset(of)) => (*link, of),
+        _ => return false,
+    };
+    own.is_none_or(|own| own == of)
 }
 
 /// What a mistake costs by itself at the answer of this name: of two that explain as much, the one that is made at the

@@ -256,6 +256,20 @@ impl Kind {
         )
     }
 
+    /// Whether it multiplies numbers by a unit or a scale.
+    pub(super) fn enlarges(self) -> bool {
+        matches!(
+            self,
+            Self::CmAsMm
+                | Self::InchAsFoot
+                | Self::MetreMixed
+                | Self::ScaleForgotten
+                | Self::ScaleInverted
+                | Self::ScaleTwice
+                | Self::ScaleWrong
+        )
+    }
+
     /// Its name in a report.
     #[must_use]
     pub fn name(self) -> &'static str {

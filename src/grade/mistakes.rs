@@ -65,6 +65,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.ratios_of_distances();
     list.slip_with_coriolis();
     list.slip_forgotten();
+    list.rolling();
     list.directions();
     list.degrees();
     list.centres(so_far);
@@ -346,8 +347,10 @@ impl<'c> List<'c, '_> {
     fn rates_by_wrong_distances(&mut self) {
         let mechanism = &self.case.mechanism;
         let space = &self.construction.space;
-        let mut places: Vec<(String, [f64; 2])> = (0..mechanism.points.len())
-            .filter_map(|index| Some((mechanism.points[index].name.clone(), space.places[index]?)))
+        let mut places: Vec<(String, [f64; 2], Option<PointId>)> = (0..mechanism.points.len())
+            .filter_map(|index| {
+                Some((mechanism.points[index].name.clone(), space.places[index]?, Some(PointId(index))))
+            })
             .collect();
         let mut centres = Vec::new();
         for (index, observation) in self.case.observations.iter().enumerate() {
@@ -355,7 +358,7 @@ impl<'c> List<'c, '_> {
                 (observation.quantity, self.case.truth[index].as_deref())
             {
                 let at = [x, y].map(|metres| metres / space.metres_per_mm);
-                places.push((self.name(&of), at));
+                places.push((self.name(&of), at, None));
                 centres.push((i, j, at));
             }
         }
@@ -369,7 +372,8 @@ impl<'c> List<'c, '_> {
         };
         let distance = |a: [f64; 2], b: [f64; 2]| size(&difference(a, b)) * space.metres_per_mm;
         let si = self.case.si_per_mm(Order::Velocity);
-        let mut found: Vec<(LinkId, f64, Phrase, Vec<Misreading>)> = Vec::new();
+        // With whether it is a distance of the link itself, which is taken sooner than any other one.
+        let mut found: Vec<(LinkId, bool, Phrase, Vec<Misreading>)> = Vec::new();
         let observed: Vec<Quantity> = self.observed();
         let observed: Vec<Quantity> = observed
             .into_iter()
@@ -392,7 +396,7 @@ impl<'c> List<'c, '_> {
             for &point in points {
                 let (Some(speed), Some(at)) = (image(point), space.places[point.0]) else { continue };
                 let own = mechanism.point(point).name.as_str();
-                let mut add = |name: &Phrase, length: f64, more: Option<Misreading>| {
+                let mut add = |name: &Phrase, length: f64, of_link: bool, more: Option<Misreading>| {
                     let factor = speed * si / length / omega.abs();
                     if length > 0.0 && factor.is_finite() && (factor - 1.0).abs() > 0.01 {
                         let own_rate = twisted(Quantity::Omega(link), factor);
@@ -402,15 +406,16 @@ impl<'c> List<'c, '_> {
                             .filter(|of| !self.is_driven(of) && **of != Quantity::Velocity(point));
                         let all: Vec<Misreading> = all.map(|of| twisted(*of, factor)).collect();
                         let how = say!("V of {} over {}", own, name);
-                        if more.is_none() && all.len() > 1 {
-                            found.push((link, factor, how.clone(), all));
+                        if all.len() > 1 {
+                            found.push((link, of_link, how.clone(), all));
                         }
-                        found.push((link, factor, how, [own_rate].into_iter().chain(more).collect()));
+                        found.push((link, of_link, how, [own_rate].into_iter().chain(more).collect()));
                     }
                 };
-                for (place, (from, a)) in places.iter().enumerate() {
-                    for (to, b) in &places[place + 1..] {
-                        add(&say!("{} to {}", from, to), distance(*a, *b), None);
+                for (place, (from, a, one)) in places.iter().enumerate() {
+                    for (to, b, other) in &places[place + 1..] {
+                        let own = |of: &Option<PointId>| of.is_some_and(|of| points.contains(&of));
+                        add(&say!("{} to {}", from, to), distance(*a, *b), own(one) && own(other), None);
                     }
                 }
                 for &other in points.iter().filter(|other| **other != point) {
@@ -418,12 +423,14 @@ impl<'c> List<'c, '_> {
                     let ratio = distance(centre, at) / distance(centre, there);
                     let carried = twisted(Quantity::Velocity(other), ratio * ratio);
                     let name = say!("the distance of {}", mechanism.point(other).name);
-                    add(&name, distance(centre, there), Some(carried));
+                    add(&name, distance(centre, there), true, Some(carried));
                 }
             }
         }
-        let price = 0.5 + one_of(found.len()) / 4.0;
-        for (link, _, how, readings) in found {
+        let near = found.iter().filter(|(_, of_link, ..)| *of_link).count();
+        let prices = [found.len(), near].map(|among| 0.5 + one_of(among) / 4.0);
+        for (link, of_link, how, readings) in found {
+            let price = prices[usize::from(of_link)];
             let name = self.name(&Quantity::Omega(link));
             let change = Change { readings, ..Change::default() };
             self.add_so((Kind::WrongFormula, how), &name, None, price, change);
@@ -507,6 +514,95 @@ impl<'c> List<'c, '_> {
             let name = self.name(&Quantity::Slip(point, link));
             let under = Departure::Under { order: Order::Velocity, pin: point, link, at: pin.at };
             self.add(Kind::SlipMissing, &name, None, 0.5, Change::drawn(vec![under]));
+        }
+    }
+
+    /// The diameter of a wheel for its radius in all that is calculated by it, and points of a wheel accelerated as if it turned
+    /// about a point at rest.
+    fn rolling(&mut self) {
+        let mechanism = &self.case.mechanism;
+        for &contact in &mechanism.contacts {
+            for radius in [2.0, 0.5] {
+                let mut departures = Vec::new();
+                let mut first: Option<(usize, Quantity)> = None;
+                for (step, act) in self.acts() {
+                    let (quantity, departure) = match *act {
+                        Act::Calculate(
+                            Calculation::Speed { quantity, ends, .. }
+                            | Calculation::Tangential { quantity, ends, .. },
+                        ) if ends.contains(&contact) => {
+                            (quantity, Departure::LaidOff { quantity, twist: Twist::scaled(radius) })
+                        }
+                        Act::Calculate(Calculation::Omega { link, ends, .. }) if ends.contains(&contact) => {
+                            let factor = 1.0 / radius;
+                            let rate = Departure::Rate { order: Order::Velocity, link, factor };
+                            (Quantity::Omega(link), rate)
+                        }
+                        Act::Calculate(Calculation::Alpha { link, ends, .. }) if ends.contains(&contact) => {
+                            let factor = 1.0 / radius;
+                            let rate = Departure::Rate { order: Order::Acceleration, link, factor };
+                            (Quantity::Alpha(link), rate)
+                        }
+                        _ => continue,
+                    };
+                    first = first.or(Some((step, quantity)));
+                    if !departures.contains(&departure) {
+                        departures.push(departure);
+                    }
+                }
+                if let Some((step, quantity)) = first {
+                    let name = self.name(&quantity);
+                    let change = Change::drawn(departures);
+                    self.add(Kind::DiameterForRadius, &name, Some(step), PLAIN, change);
+                }
+            }
+        }
+        self.about_a_contact();
+    }
+
+    /// A of a point of a wheel by ω² and ε over its distance from the point of contact, which has an acceleration itself.
+    fn about_a_contact(&mut self) {
+        let mechanism = &self.case.mechanism;
+        let alphas: Vec<(LinkId, f64)> = self.alphas();
+        let omegas = self.omegas();
+        let (speed, second) =
+            (self.case.si_per_mm(Order::Velocity), self.case.si_per_mm(Order::Acceleration));
+        let image = |order: Order, point: PointId| {
+            let label = Label::Image { point, link: None };
+            let images = &polygon(self.construction, order)?.images;
+            Some(images.iter().rev().find(|image| image.label == label)?.at)
+        };
+        let mut found: Vec<(PointId, Departure)> = Vec::new();
+        for roll in &mechanism.rolls {
+            let bodies = roll.bodies();
+            if !bodies.contains(&LinkId::FRAME) {
+                continue;
+            }
+            for &link in bodies.iter().filter(|link| **link != LinkId::FRAME) {
+                let rate =
+                    |rates: &[(LinkId, f64)]| rates.iter().find(|(of, _)| *of == link).map(|(_, rate)| *rate);
+                let (Some(omega), Some(alpha)) = (rate(&omegas).filter(|own| *own != 0.0), rate(&alphas))
+                else {
+                    continue;
+                };
+                for &point in &mechanism.link(link).points {
+                    let Some(v) = image(Order::Velocity, point) else { continue };
+                    if image(Order::Acceleration, point).is_none() {
+                        continue;
+                    }
+                    // Its arm from where the wheel touches: V is square to it.
+                    let arm = [v[1], -v[0]].map(|part| part * speed / omega);
+                    let at =
+                        [-alpha * arm[1] - omega * omega * arm[0], alpha * arm[0] - omega * omega * arm[1]];
+                    let at = at.map(|part| part / second);
+                    found.push((point, Departure::Image { order: Order::Acceleration, point, at }));
+                }
+            }
+        }
+        for (point, departure) in found {
+            let name = self.name(&Quantity::Acceleration(point));
+            let how = say!("about the point of contact, as if that were at rest");
+            self.add_so((Kind::WrongFormula, how), &name, None, 0.5, Change::drawn(vec![departure]));
         }
     }
 
@@ -702,6 +798,20 @@ impl<'c> List<'c, '_> {
             let change = Change::of_inputs(InputChange::Arm { link, end, factor, turn });
             let how = say!("{} for {}", self.told(size(&own)), self.told(size(&right)));
             let name = self.case.mechanism.point(point).name.clone();
+            // Mirrored on the line of the two points before it.
+            if let Some(second) = self.place_of_joint(points[1]) {
+                let base = difference(second, from);
+                let across = base[0] * right[1] - base[1] * right[0];
+                let along = base[0] * right[0] + base[1] * right[1];
+                if across.abs() > ON_LINE * size(&base) * size(&right) {
+                    let turn = -2.0 * libm::atan2(across, along);
+                    let mirrored = InputChange::Arm { link, end, factor: 1.0, turn };
+                    let line =
+                        [first, points[1]].map(|p| self.case.mechanism.point(p).name.as_str()).concat();
+                    let kind = (Kind::PointLaidOff, say!("on the other side of {}", line));
+                    self.add_so(kind, &name, None, PLAIN, Change::of_inputs(mirrored));
+                }
+            }
             if factor.is_finite() && change.mechanism(&self.case.mechanism).as_ref() != &self.case.mechanism {
                 self.add_so((Kind::PointLaidOff, how), &name, None, 0.5, change);
             }
@@ -1422,7 +1532,23 @@ impl<'c> List<'c, '_> {
         }
         for &(step, order, ray) in &all {
             let at = self.sought(step, order);
-            self.add(Kind::PerpendicularForParallel, &at, Some(step), PLAIN, Change::drawn(vec![ray]));
+            let how = match ray {
+                Departure::Ray { claim: claim @ Claim::Parallel(of), .. } => {
+                    Some(say!("⊥ {} instead of {}", self.line(of), self.claim(claim)))
+                }
+                Departure::Ray { claim: claim @ Claim::Perpendicular(of), .. } => {
+                    Some(say!("∥ {} instead of {}", self.line(of), self.claim(claim)))
+                }
+                _ => None,
+            };
+            self.found.push(Hypothesis {
+                kind: Kind::PerpendicularForParallel,
+                at: Phrase::from(&at),
+                step: Some(step),
+                price: PLAIN,
+                change: Change::drawn(vec![ray]),
+                how,
+            });
             let both: Vec<Departure> = all.iter().filter(|r| r.0 == step).map(|r| r.2).collect();
             if both.len() > 1 && both[0] == ray {
                 // Of a slot the parallel and the square line are exchanged; the sense of a rotation by a velocity along
@@ -1773,6 +1899,11 @@ impl<'c> List<'c, '_> {
                 }
                 _ => None,
             }));
+            ways.extend(
+                self.with_other_radii(point, others).into_iter().map(|(how, factor)| {
+                    (Kind::TangentialWrongLength, Some(how), 1.0, own.map(|x| x * factor))
+                }),
+            );
             if let (Order::Acceleration, Some(normal)) = (order, self.normal_about_pivot(point, others)) {
                 let left_out = Some(say!("of its acceleration"));
                 ways.push((Kind::NormalMissing, left_out, 0.5, difference(own, normal)));
@@ -1788,6 +1919,22 @@ impl<'c> List<'c, '_> {
                 self.found.push(Hypothesis { kind, at: name, step: None, price, change, how });
             }
         }
+    }
+
+    /// How many times longer the vector of a point becomes by the distance of another point of its link from their pivot.
+    fn with_other_radii(&self, point: PointId, others: &[PointId]) -> Vec<(Phrase, f64)> {
+        let mechanism = &self.case.mechanism;
+        let Some(&pivot) = others.iter().find(|other| mechanism.is_fixed(**other)) else { return Vec::new() };
+        let places = &self.construction.space.places;
+        let far = |of: PointId| Some(size(&difference(places[of.0]?, places[pivot.0]?)));
+        let Some(own) = far(point).filter(|own| *own > 0.0) else { return Vec::new() };
+        let turning = others.iter().filter(|other| !mechanism.is_fixed(**other));
+        let way = |other: &PointId| {
+            let factor = far(*other)? / own;
+            let line = [pivot, *other].map(|p| mechanism.point(p).name.as_str()).concat();
+            ((factor - 1.0).abs() > SAME_LENGTH).then(|| (say!("with the length {}", line), factor))
+        };
+        turning.filter_map(way).collect()
     }
 
     /// ω² l of a point about a fixed one of its link, millimetres of the acceleration polygon.
@@ -2252,6 +2399,20 @@ impl<'c> List<'c, '_> {
             }
         }
         omegas
+    }
+
+    /// ε of every link of which one is calculated or given.
+    fn alphas(&self) -> Vec<(LinkId, f64)> {
+        let calculated = self.acts().into_iter().filter_map(|(_, act)| match *act {
+            Act::Calculate(Calculation::Alpha { link, value, .. }) => Some((link, value)),
+            Act::Calculate(Calculation::Tangential { link, alpha, .. }) => Some((link, alpha)),
+            _ => None,
+        });
+        let given = self.case.mechanism.inputs.iter().filter_map(|input| match *input {
+            Input::Angle { link, alpha, .. } => Some((link, alpha.value)),
+            Input::Speed { .. } | Input::Slide { .. } => None,
+        });
+        given.chain(calculated).collect()
     }
 
     /// Every link with its ω, by the length with which it was calculated.

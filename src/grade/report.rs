@@ -35,7 +35,7 @@ pub struct Report {
     pub turned: Option<f64>,
     /// How many times larger than at the sheet's scale the skeleton was drawn as a whole; it was compared at its own.
     pub enlarged: Option<f64>,
-    /// The scales at which lengths were compared that were measured on a polygon for which none is stated.
+    /// The scales at which a polygon for which none is stated was compared, or lengths that were measured on it.
     pub scales: Vec<UnstatedScale>,
     /// Whether the answers state a `tolerance`, which did not count.
     pub tolerances_ignored: bool,
@@ -45,7 +45,7 @@ pub struct Report {
     pub language: Language,
 }
 
-/// The scale at which lengths of a polygon were compared for which the student states none.
+/// The scale at which a polygon, or lengths of it, were compared for which the student states none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnstatedScale {
     /// The polygon.
@@ -74,6 +74,8 @@ pub struct NotRead {
 pub struct Graded {
     /// As the answers name it; a point of the drawing with its figure (`velocity:b`).
     pub name: String,
+    /// What of the scene's `find` it is, by its name there, where it is asked.
+    pub find: Option<String>,
     /// What was handed in: one number, or two components.
     pub given: Vec<f64>,
     /// In which form it was written.
@@ -241,10 +243,12 @@ fn unstated_scales(case: &Case<'_>, judgement: &Judgement) -> Vec<UnstatedScale>
     let of = |order: Order| {
         let own = case.own_scales.iter().find(|(of, _)| *of == order).map(|(_, si_per_mm)| *si_per_mm);
         let wrong = |(index, observation): (usize, &Observation)| {
-            observation.on_paper
-                && matches!(observation.target, Target::Asked(_))
-                && observation.quantity.is_some_and(|quantity| quantity.order() == order)
-                && judgement.verdicts[index] == Verdict::Wrong
+            let of = match observation.target {
+                Target::Image(of, _) => Some(of),
+                Target::Asked(_) => observation.quantity.map(|quantity| quantity.order()),
+                Target::Place(_) | Target::Line(..) => None,
+            };
+            observation.on_paper && of == Some(order) && judgement.verdicts[index] == Verdict::Wrong
         };
         let compared = || case.observations.iter().enumerate().any(wrong);
         let told = own.is_some() || case.stated.of(order.dimension()).is_none() && compared();
@@ -448,8 +452,13 @@ fn graded(
         _ => share,
     };
     let in_unit = |numbers: Vec<f64>| numbers.into_iter().map(|n| n / si).collect();
+    let find = case.scene.mechanism.asked.iter().find(|asked| {
+        let own = matches!(observation.target, Target::Asked(_));
+        own && observation.quantity == Some(asked.quantity)
+    });
     Graded {
         name: observation.name.clone(),
+        find: find.map(|asked| asked.name.clone()),
         given: in_unit(given),
         form: observation.form,
         per_mm: observation.on_paper.then(|| case.si_of_answer(observation) / si),
@@ -646,12 +655,12 @@ impl Report {
         let mut value = json!({
             "kind": mistake.kind.name(), "at": &*mistake.at, "step": mistake.step,
             "residual": mistake.residual, "explains": mistake.explains, "text": self.says(&mistake.text()),
-            "look": mistake.look().told(self.language),
+            "look": self.says(&mistake.look()),
         });
         if let Some(also) = &mistake.also {
             value["also"] = json!({
                 "kind": also.kind.name(), "at": &*also.at, "step": also.step,
-                "text": self.says(&also.own_text()), "look": also.look().told(self.language),
+                "text": self.says(&also.own_text()), "look": self.says(&also.look()),
             });
         }
         value

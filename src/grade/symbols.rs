@@ -3,16 +3,21 @@
 use crate::markup::escaped;
 use crate::sheet::Symbol;
 
+/// The letters of angular acceleration.
+pub(super) const ANGULAR_ACCELERATION: [char; 2] = ['α', 'ε'];
+
 /// What a report names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Symbols {
     /// By the name in scene and answers, the longest first.
     all: Vec<(String, Symbol)>,
+    /// The letter of angular acceleration on the sheet, where it has one.
+    letter: Option<char>,
 }
 
 impl Symbols {
     /// The first of several with one name holds.
-    pub(super) fn new(mut all: Vec<(String, Symbol)>) -> Self {
+    pub(super) fn new(mut all: Vec<(String, Symbol)>, letter: Option<char>) -> Self {
         all.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
         let mut known = Vec::new();
         all.retain(|(name, _)| {
@@ -21,19 +26,27 @@ impl Symbols {
                 true
             }
         });
-        Self { all }
+        Self { all, letter }
+    }
+
+    /// What stands between names, with the letter of the sheet for angular acceleration.
+    fn words(&self, text: &str) -> String {
+        match self.letter {
+            Some(letter) => text.replace(ANGULAR_ACCELERATION, letter.encode_utf8(&mut [0; 4])),
+            None => text.to_owned(),
+        }
     }
 
     /// A text with every name as the sheet prints it, in plain characters.
     #[must_use]
     pub fn plain(&self, text: &str) -> String {
-        self.told(text, str::to_owned, |symbol| &symbol.plain)
+        self.told(text, |words| self.words(words), |symbol| &symbol.plain)
     }
 
     /// The same as hypertext.
     #[must_use]
     pub fn html(&self, text: &str) -> String {
-        self.told(text, escaped, |symbol| &symbol.html)
+        self.told(text, |words| escaped(&self.words(words)), |symbol| &symbol.html)
     }
 
     fn told(
@@ -78,12 +91,14 @@ mod tests {
     fn names_are_told_as_whole_words_and_the_rest_stays() {
         let symbol = |plain: &str| Symbol { plain: plain.to_owned(), html: format!("<i>{plain}</i>") };
         let all = [("v(B)", "V_B"), ("v(B/A)", "V_BA"), ("Ef", "E_f"), ("x:b", "b"), ("x:b'", "b′")];
-        let symbols = Symbols::new(all.map(|(name, plain)| (name.to_owned(), symbol(plain))).to_vec());
+        let all = all.map(|(name, plain)| (name.to_owned(), symbol(plain))).to_vec();
+        let symbols = Symbols::new(all.clone(), None);
         assert_eq!(
             symbols.plain("v(B/A) read for v(B); slipv(B), Effort, Ef."),
             "V_BA read for V_B; slipv(B), Effort, E_f."
         );
         assert_eq!(symbols.plain("x:b' and x:b"), "b′ and b");
         assert_eq!(symbols.html("v(B) < 3 & Ef"), "<i>V_B</i> &lt; 3 &amp; <i>E_f</i>");
+        assert_eq!(Symbols::new(all, Some('α')).plain("ω or ε of v(B)"), "ω or α of V_B");
     }
 }

@@ -1,7 +1,7 @@
 //! How a student's drawing lies on its sheet: a sheet that was turned as a whole shows everything rightly, against the
 //! drawing itself; a polygon that is turned against its skeleton does not.
 
-use super::case::{Found, Target, polygon, size};
+use super::case::{Found, ONE_SCALE, Target, polygon, size};
 use crate::graphical::construction::{Construction, Label};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
@@ -113,9 +113,25 @@ pub(super) fn turns(mechanism: &Mechanism, right: &Construction, figures: &[Foun
 }
 
 /// How many times larger than the sheet's a skeleton is drawn as a whole, where two fixed points tell that and the points
-/// that hang on them lie better so.
+/// that hang on them lie better so, or with one of them those moving points that hang on it and others.
 pub(super) fn enlarged(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<f64> {
-    let [(from, to), (second, there)] = two_fixed(mechanism, right, found)?;
+    let Some([(from, to), (second, there)]) = two_fixed(mechanism, right, found) else {
+        let pivot = found.points.iter().find_map(|(_, _, target)| match target {
+            Target::Place(point) if mechanism.is_fixed(*point) => Some(*point),
+            _ => None,
+        })?;
+        let hangs = |point: PointId| {
+            let mut links = mechanism.moving().map(|link| &mechanism.link(link).points);
+            links.any(|points| points.contains(&pivot) && points.contains(&point))
+        };
+        let like = as_a_whole(&pairs(mechanism, right, found)?)?;
+        // A link that is laid off otherwise takes all with it that stands on it.
+        let free = |target: Target| matches!(target, Target::Place(point) if !mechanism.is_fixed(point) && !hangs(point));
+        let others = pairs_of(mechanism, right, found, free)?;
+        let factor = size(&like);
+        let is_own = libm::log(factor).abs() >= libm::log(SAME_SCALE);
+        return (is_own && others.iter().any(|pair| is_like(pair, like))).then_some(factor);
+    };
     let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| libm::hypot(bx - ax, by - ay);
     let factor = apart(from, second) / apart(to, there);
     if !(factor > 0.0 && factor.is_finite()) || libm::log(factor).abs() < libm::log(SAME_SCALE) {
@@ -127,6 +143,46 @@ pub(super) fn enlarged(mechanism: &Mechanism, right: &Construction, found: &Foun
     let back = |[own, right]: &Pair| [own.map(|mm| mm / factor), *right];
     let smaller: Vec<Pair> = own.iter().map(back).collect();
     (count_near(&smaller, turn) > count_near(&own, turn).max(count_near(&own, 0.0))).then_some(factor)
+}
+
+/// How many times larger than at the sheet's scale a polygon is drawn as a whole, turned or not. It begins with the images of
+/// driven points: these are drawn at its scale if anything is.
+pub(super) fn own_size(mechanism: &Mechanism, right: &Construction, found: &Found<'_>) -> Option<f64> {
+    let like = as_a_whole(&pairs(mechanism, right, found)?)?;
+    let driven = driven_pairs(mechanism, right, found)?;
+    driven.iter().all(|pair| is_like(pair, like)).then(|| size(&like))
+}
+
+/// By what most points of a figure are turned and enlarged alike, as a complex number: two at least that are not one point,
+/// and two of three, and more than lie as far away as at the sheet's scale.
+fn as_a_whole(pairs: &[Pair]) -> Option<[f64; 2]> {
+    let count = |like: [f64; 2]| pairs.iter().filter(|pair| is_like(pair, like)).count();
+    let like = pairs.iter().map(ratio).max_by_key(|like| count(*like))?;
+    let agreeing: Vec<&Pair> = pairs.iter().filter(|pair| is_like(pair, like)).collect();
+    let at_the_sheets = pairs.iter().filter(|pair| (size(&ratio(pair)) - 1.0).abs() <= ONE_SCALE).count();
+    let [x, y] = agreeing.iter().fold([0.0; 2], |[x, y], pair| {
+        let [u, v] = ratio(pair);
+        [x + u, y + v]
+    });
+    #[expect(clippy::cast_precision_loss, reason = "points are few")]
+    let mean = [x, y].map(|sum| sum / agreeing.len().max(1) as f64);
+    let is_whole = agreeing.len() >= 2
+        && 3 * agreeing.len() >= 2 * pairs.len()
+        && agreeing.len() > at_the_sheets
+        && !one_line(&agreeing);
+    is_whole.then_some(mean)
+}
+
+/// By what a point is turned and enlarged, as a complex number.
+fn ratio([own, right]: &Pair) -> [f64; 2] {
+    let square = right[0] * right[0] + right[1] * right[1];
+    [(own[0] * right[0] + own[1] * right[1]) / square, (own[1] * right[0] - own[0] * right[1]) / square]
+}
+
+/// Whether a point is turned and enlarged so.
+fn is_like(pair: &Pair, like: [f64; 2]) -> bool {
+    let own = ratio(pair);
+    size(&[own[0] - like[0], own[1] - like[1]]) <= ONE_SCALE * size(&like)
 }
 
 /// Whether a turn is no right angle and no half turn.

@@ -636,9 +636,9 @@ fn look(kind: Kind) -> &'static Row {
             "نقطه‌های ثابت را پیش از بندها یک بار دیگر بگذارید.",
         ],
         Kind::LoadWrong => &[
-            "Write area and pressure with their units before you multiply.",
-            "اكتب المساحة والضغط مع وحدتيهما قبل الضرب.",
-            "پیش از ضرب، مساحت و فشار را با یکای آن‌ها بنویسید.",
+            "Compare with what is given: every number with its sign and its unit.",
+            "قارن بالمعطيات: كل عدد مع إشارته ووحدته.",
+            "با داده‌ها مقایسه کنید: هر عدد با علامت و یکای آن.",
         ],
         Kind::RateNotSquared => &[
             "The energy of what turns grows with ω²: K_s = E_f/(I·ω²).",
