@@ -6,21 +6,15 @@ use std::fmt::Write;
 /// on every machine. What is not finite is written as 0; no module lets it come this far.
 #[must_use]
 pub fn decimal(value: f64, decimals: usize) -> String {
-    let mut text = String::new();
-    push_decimal(&mut text, value, decimals);
-    text
-}
-
-/// The same at the end of a text.
-pub fn push_decimal(text: &mut String, value: f64, decimals: usize) {
     if !value.is_finite() {
-        text.push('0');
-        return;
+        return "0".to_owned();
     }
+    let mut text = String::new();
     match TENS.get(decimals).and_then(|ten| rounded(value.abs() * ten)) {
-        Some(digits) => push_digits(text, value < 0.0, digits, decimals),
-        None => push_exactly(text, value, decimals),
+        Some(digits) => push_digits(&mut text, value < 0.0, digits, decimals),
+        None => push_exactly(&mut text, value, decimals),
     }
+    text
 }
 
 /// Powers of ten of the decimals that coordinates have.

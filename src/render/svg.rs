@@ -13,13 +13,17 @@
 //! Title and description are the first children and name the picture for screen readers. Identifiers begin
 //! with a hash of the content, so that several figures can stand in one HTML page.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use kurbo::{PathEl, Point};
+use kurbo::{BezPath, PathEl, Point};
+use svg::Document;
+use svg::node::Blob;
+use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
 
-use super::number::{decimal, push_decimal};
+use super::number::decimal;
 use super::subset;
 use super::theme::{Place, Theme};
 use crate::parallel;
@@ -34,7 +38,7 @@ const PRECISE: usize = 6;
 /// The class of words in Arabic script, where the file says once what family they have.
 pub const ARABIC_CLASS: &str = "arabic";
 
-/// Stands for what every identifier begins with, until the content is known; no text has it (see [`printed`]).
+/// Stands for what every identifier begins with, until the content is known; no text has it (see [`printable`]).
 const PREFIX: char = '\u{1}';
 
 /// The figure as an SVG document, black on white.
@@ -59,9 +63,8 @@ pub fn write_embedded(figure: &Figure, theme: Theme) -> String {
 /// A part of a figure as SVG, to stand in a document of somebody else; its identifiers as they are.
 #[must_use]
 pub fn fragment(group: &Group) -> String {
-    let mut writer = Writer::new(Theme::Mono, &Lettered::Live);
-    writer.group(group, Place::default());
-    writer.out.replace(PREFIX, "")
+    let writer = Writer { theme: Theme::Mono, lettered: &Lettered::Live, texts: Cell::new(0) };
+    writer.group(group, Place::default()).to_string().replace(PREFIX, "")
 }
 
 /// The rules for the typefaces of the text of some figures, with the glyphs that occur and some more characters of each.
@@ -106,74 +109,52 @@ enum Lettered {
 }
 
 fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<String>) -> String {
-    let mut writer = Writer::new(theme, lettered);
-    writer.group(&figure.root, Place::default());
-    let body = writer.out;
-    // The hash is of all that stands in the figure but the prefix itself.
-    let said = figure.title.bytes().chain([b'\n']).chain(figure.description.bytes()).chain([b'\n']);
-    let drawn = body.split(PREFIX).flat_map(str::bytes);
-    let prefix = format!("f{:08x}-", fold(fnv_of(said.chain(drawn))));
-    let (title, description) = (format!("{prefix}title"), format!("{prefix}desc"));
-    let described = !figure.description.is_empty();
-    let labels = if described { format!("{title} {description}") } else { title.clone() };
     let width = decimal(figure.width, LAYOUT);
     let height = decimal(figure.height, LAYOUT);
-    let paints = theme.paints_paper();
-
-    let rest = style.as_ref().map_or(0, String::len) + figure.title.len() + figure.description.len();
-    let mut writer =
-        Writer { out: String::with_capacity(body.len() + rest + 2048), ..Writer::new(theme, lettered) };
-    writer.open("svg");
-    writer.attribute("aria-labelledby", &labels);
-    if paints {
-        writer.colour("fill", Tone::Ink, Place::default());
-    }
-    writer.attribute("font-family", FAMILIES);
-    writer.attribute("height", &format!("{height}mm"));
-    writer.attribute("lang", figure.language);
-    writer.attribute("role", "img");
-    writer.attribute("stroke-linejoin", "round");
-    writer.attribute("viewBox", &format!("0 0 {width} {height}"));
-    writer.attribute("width", &format!("{width}mm"));
-    writer.attribute("xml:lang", figure.language);
-    writer.attribute("xmlns", "http://www.w3.org/2000/svg");
-    writer.out.push_str(">\n");
-    writer.element_with_text("title", Some(&title), &figure.title);
+    let writer = Writer { theme, lettered, texts: Cell::new(0) };
+    let body = writer.group(&figure.root, Place::default()).to_string();
+    // The hash is of all that stands in the figure but the prefix itself.
+    let content = format!("{}\n{}\n{}", figure.title, figure.description, body.replace(PREFIX, ""));
+    let prefix = format!("f{:08x}-", fold(fnv(content.as_bytes())));
+    let (title, description) = (format!("{prefix}title"), format!("{prefix}desc"));
+    let described = !figure.description.is_empty();
+    let mut document = Document::new()
+        .set("width", format!("{width}mm"))
+        .set("height", format!("{height}mm"))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("xml:lang", figure.language)
+        .set("lang", figure.language)
+        .set("role", "img")
+        .set("aria-labelledby", if described { format!("{title} {description}") } else { title.clone() })
+        .set("font-family", FAMILIES)
+        .set("stroke-linejoin", "round")
+        .add(element_with_text("title", Some(&title), &figure.title));
     if described {
-        writer.out.push('\n');
-        writer.element_with_text("desc", Some(&description), &figure.description);
+        document = document.add(element_with_text("desc", Some(&description), &figure.description));
     }
     if let Some(style) = style {
-        writer.out.push('\n');
-        writer.out.push_str(&style);
+        document = document.add(Blob::new(style));
     }
-    if paints {
-        writer.out.push('\n');
-        writer.open("rect");
-        writer.attribute("class", "paper");
-        writer.colour("fill", Tone::Paper, Place::default());
-        writer.attribute("height", &height);
-        writer.attribute("width", &width);
-        writer.out.push_str("/>");
+    if theme.paints_paper() {
+        let place = Place::default();
+        document = document.set("fill", colour(theme, Tone::Ink, place)).add(
+            Rectangle::new()
+                .set("class", "paper")
+                .set("width", width)
+                .set("height", height)
+                .set("fill", colour(theme, Tone::Paper, place)),
+        );
     }
-    writer.out.push('\n');
-    for (i, part) in body.split(PREFIX).enumerate() {
-        if i > 0 {
-            writer.out.push_str(&prefix);
-        }
-        writer.out.push_str(part);
-    }
-    writer.out.push_str("\n</svg>\n");
-    writer.out
+    let mut text = document.add(Blob::new(body.replace(PREFIX, &prefix))).to_string();
+    text.push('\n');
+    text
 }
 
 /// The FNV-1a hash: short, and the same everywhere.
 pub(crate) fn fnv(bytes: &[u8]) -> u64 {
-    fnv_of(bytes.iter().copied())
-}
-
-fn fnv_of(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
 /// Seconds for which a step of a film is shown.
@@ -227,7 +208,7 @@ fn font_faces(figure: &Figure) -> String {
             for run in &text.runs {
                 // The substitutions of Arabic script weigh as much as all else: its titles are thickened by the viewer.
                 let face = if run.face.is_arabic() { Face::Arabic } else { run.face };
-                used.entry(face).or_default().add(face, &run.text.chars().map(printed).collect::<String>());
+                used.entry(face).or_default().add(face, &printable(&run.text));
             }
         }
     });
@@ -258,241 +239,113 @@ fn font_faces(figure: &Figure) -> String {
     rules
 }
 
-/// Writes elements as it goes, attributes in the order of their names: a tree of them would take ten times the room of the
-/// document.
+/// The path data of a curve.
+fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
+    let parts: Vec<String> = path
+        .elements()
+        .iter()
+        .map(|element| match *element {
+            PathEl::MoveTo(p) => format!("M{}", at(p)),
+            PathEl::LineTo(p) => format!("L{}", at(p)),
+            PathEl::QuadTo(a, p) => format!("Q{} {}", at(a), at(p)),
+            PathEl::CurveTo(a, b, p) => format!("C{} {} {}", at(a), at(b), at(p)),
+            PathEl::ClosePath => "Z".to_owned(),
+        })
+        .collect();
+    parts.join(" ")
+}
+
+fn element_with_text(name: &str, id: Option<&str>, text: &str) -> Blob {
+    let id = id.map_or(String::new(), |id| format!(" id=\"{id}\""));
+    Blob::new(format!("<{name}{id}>{}</{name}>", escape(text)))
+}
+
 struct Writer<'a> {
     theme: Theme,
     lettered: &'a Lettered,
     /// Lines of text written so far.
-    texts: usize,
-    out: String,
+    texts: Cell<usize>,
 }
 
-impl<'a> Writer<'a> {
-    const fn new(theme: Theme, lettered: &'a Lettered) -> Self {
-        Self { theme, lettered, texts: 0, out: String::new() }
-    }
-
-    /// Begins an element.
-    fn open(&mut self, name: &str) {
-        self.out.push('<');
-        self.out.push_str(name);
-    }
-
-    fn attribute(&mut self, name: &str, value: &str) {
-        self.begin_attribute(name);
-        self.value(value);
-        self.out.push('"');
-    }
-
-    fn begin_attribute(&mut self, name: &str) {
-        self.out.push(' ');
-        self.out.push_str(name);
-        self.out.push_str("=\"");
-    }
-
-    /// Text within the quotes of an attribute.
-    fn value(&mut self, text: &str) {
-        self.escaped(text, "\"'");
-    }
-
-    /// Text between tags.
-    fn words(&mut self, text: &str) {
-        self.escaped(text, "");
-    }
-
-    /// Text with the signs of markup, and these quotes, as entities.
-    fn escaped(&mut self, text: &str, quotes: &str) {
-        for c in text.chars().map(printed) {
-            match c {
-                '&' => self.out.push_str("&amp;"),
-                '<' => self.out.push_str("&lt;"),
-                '>' => self.out.push_str("&gt;"),
-                '"' if quotes.contains(c) => self.out.push_str("&quot;"),
-                '\'' if quotes.contains(c) => self.out.push_str("&apos;"),
-                c => self.out.push(c),
-            }
-        }
-    }
-
-    fn number(&mut self, name: &str, value: f64, decimals: usize) {
-        self.begin_attribute(name);
-        push_decimal(&mut self.out, value, decimals);
-        self.out.push('"');
-    }
-
-    fn colour(&mut self, name: &str, tone: Tone, place: Place) {
-        self.begin_attribute(name);
-        self.out.push('#');
-        self.out.push_str(&self.theme.colour(tone, place).hex());
-        self.out.push('"');
-    }
-
-    fn element_with_text(&mut self, name: &str, id: Option<&str>, text: &str) {
-        self.open(name);
-        if let Some(id) = id {
-            self.attribute("id", id);
-        }
-        self.out.push('>');
-        self.words(text);
-        self.close(name);
-    }
-
-    fn close(&mut self, name: &str) {
-        self.out.push_str("</");
-        self.out.push_str(name);
-        self.out.push('>');
-    }
-
-    fn group(&mut self, group: &Group, around: Place) {
-        let place = around.inside(group);
-        self.open("g");
-        if !group.class.is_empty() {
-            self.attribute("class", &group.class);
-        }
-        let mut data: Vec<(&str, &str)> =
-            group.data.iter().map(|(name, value)| (*name, value.as_str())).collect();
-        data.sort_by_key(|(name, _)| *name);
-        // Of what is said twice the last word counts.
-        for said in data.chunk_by(|a, b| a.0 == b.0) {
-            let Some((name, value)) = said.last() else { continue };
-            self.out.push_str(" data-");
-            self.out.push_str(name);
-            self.out.push_str("=\"");
-            self.value(value);
-            self.out.push('"');
-        }
+impl Writer<'_> {
+    fn group(&self, group: &Group, place: Place) -> GroupElement {
+        let around = place;
+        let place = place.inside(group);
+        let mut element = GroupElement::new();
         if place.old != around.old {
             // Words take the colour of what they stand in.
-            self.colour("fill", Tone::Ink, place);
+            element = element.set("fill", colour(self.theme, Tone::Ink, place));
+        }
+        if !group.class.is_empty() {
+            element = element.set("class", group.class.as_str());
         }
         if let Some(id) = &group.id {
-            self.begin_attribute("id");
-            self.out.push(PREFIX);
-            self.value(id);
-            self.out.push('"');
+            element = element.set("id", format!("{PREFIX}{id}"));
         }
-        if group.title.is_none() && group.children.is_empty() {
-            self.out.push_str("/>");
-            return;
+        for (name, value) in &group.data {
+            element = element.set(format!("data-{name}"), printable(value));
         }
-        self.out.push('>');
         if let Some(title) = &group.title {
-            self.out.push('\n');
-            self.element_with_text("title", None, title);
+            element = element.add(element_with_text("title", None, title));
         }
         for child in &group.children {
-            self.out.push('\n');
-            match child {
-                Node::Group(child) => self.group(child, place),
-                Node::Mark(child) => self.mark(child, place),
-                Node::Text(child) => self.text(child),
-            }
+            element = match child {
+                Node::Group(child) => element.add(self.group(child, place)),
+                Node::Mark(child) => element.add(self.mark(child, place)),
+                Node::Text(child) => element.add(self.text(child)),
+            };
         }
-        self.out.push('\n');
-        self.close("g");
+        element
     }
 
-    fn mark(&mut self, mark: &Mark, place: Place) {
+    fn mark(&self, mark: &Mark, place: Place) -> Element {
         let decimals = if mark.precise { PRECISE } else { LAYOUT };
-        let circle =
-            if let Shape::Circle { centre, radius } = mark.shape { Some((centre, radius)) } else { None };
-        self.open(if circle.is_some() { "circle" } else { "path" });
-        if !mark.class.is_empty() {
-            self.attribute("class", mark.class);
-        }
-        match circle {
-            Some((centre, _)) => {
-                self.number("cx", centre.x, decimals);
-                self.number("cy", centre.y, decimals);
-            }
-            None => {
-                self.begin_attribute("d");
-                self.path(&mark.shape, decimals);
-                self.out.push('"');
-            }
-        }
-        match mark.fill {
-            Some(tone) => self.colour("fill", tone, place),
-            None => self.attribute("fill", "none"),
-        }
-        if let Some((_, radius)) = circle {
-            self.number("r", radius, decimals);
-        }
-        if let Some(pen) = mark.pen {
-            self.colour("stroke", Tone::Ink, place);
-            if let Some(dashes) = dashes(pen) {
-                self.attribute("stroke-dasharray", &dashes);
-            }
-            self.number("stroke-width", pen.width, LAYOUT);
-        }
-        self.out.push_str("/>");
-    }
-
-    /// The path data of a shape.
-    fn path(&mut self, shape: &Shape, decimals: usize) {
-        let out = &mut self.out;
-        let at = |out: &mut String, before: &str, p: Point| {
-            out.push_str(before);
-            push_decimal(out, p.x, decimals);
-            out.push(' ');
-            push_decimal(out, p.y, decimals);
-        };
-        let through = |out: &mut String, points: &[Point]| {
-            out.push('M');
-            for (i, p) in points.iter().enumerate() {
-                at(out, if i > 0 { " L" } else { "" }, *p);
-            }
-        };
-        match shape {
-            Shape::Line(a, b) => through(out, &[*a, *b]),
-            Shape::Polyline(points) => through(out, points),
-            Shape::Polygon(points) => {
-                through(out, points);
-                out.push_str(" Z");
-            }
-            Shape::Curve(path) => {
-                for (i, element) in path.elements().iter().enumerate() {
-                    if i > 0 {
-                        out.push(' ');
-                    }
-                    match *element {
-                        PathEl::MoveTo(p) => at(out, "M", p),
-                        PathEl::LineTo(p) => at(out, "L", p),
-                        PathEl::QuadTo(a, p) => {
-                            at(out, "Q", a);
-                            at(out, " ", p);
-                        }
-                        PathEl::CurveTo(a, b, p) => {
-                            at(out, "C", a);
-                            at(out, " ", b);
-                            at(out, " ", p);
-                        }
-                        PathEl::ClosePath => out.push('Z'),
-                    }
-                }
+        let n = |value: f64| decimal(value, decimals);
+        let at = |p: Point| format!("{} {}", n(p.x), n(p.y));
+        let mut element: Element = match &mark.shape {
+            Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
+            Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
+            Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+            Shape::Curve(path) => Path::new().set("d", curve(path, at)).into(),
+            Shape::Circle { centre, radius } => {
+                Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
             }
             Shape::Arc { centre, radius, start, sweep } => {
-                let large = if sweep.abs() > std::f64::consts::PI { '1' } else { '0' };
-                let clockwise = if *sweep < 0.0 { '1' } else { '0' };
-                at(out, "M", on_circle(*centre, *radius, *start));
-                for before in [" A", " "] {
-                    out.push_str(before);
-                    push_decimal(out, *radius, decimals);
-                }
-                out.extend([' ', '0', ' ', large, ' ', clockwise]);
-                at(out, " ", on_circle(*centre, *radius, start + sweep));
+                let large = i32::from(sweep.abs() > std::f64::consts::PI);
+                let clockwise = i32::from(*sweep < 0.0);
+                let from = on_circle(*centre, *radius, *start);
+                let to = on_circle(*centre, *radius, start + sweep);
+                let r = n(*radius);
+                Path::new()
+                    .set("d", format!("M{} A{r} {r} 0 {large} {clockwise} {}", at(from), at(to)))
+                    .into()
             }
-            // An element of its own.
-            Shape::Circle { .. } => {}
+        };
+        let attributes = element.get_attributes_mut();
+        let mut set = |name: &str, value: String| {
+            attributes.insert(name.to_owned(), value.into());
+        };
+        if !mark.class.is_empty() {
+            set("class", mark.class.to_owned());
         }
+        set("fill", mark.fill.map_or("none".to_owned(), |tone| colour(self.theme, tone, place)));
+        if let Some(pen) = mark.pen {
+            set("stroke", colour(self.theme, Tone::Ink, place));
+            set("stroke-width", decimal(pen.width, LAYOUT));
+            if let Some(dashes) = dashes(pen) {
+                set("stroke-dasharray", dashes);
+            }
+        }
+        element
     }
 
-    /// One `<text>` without line breaks, which would be blanks between its runs. A line with words of Arabic script is one
-    /// `<text>` per run: viewers order runs of two directions in one `<text>` each in its own way.
-    fn text(&mut self, text: &Text) {
-        let number = self.texts;
-        self.texts += 1;
+    /// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A
+    /// line with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one
+    /// `<text>` each in its own way.
+    fn text(&self, text: &Text) -> Blob {
+        let number = self.texts.get();
+        self.texts.set(number + 1);
+        let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
         let name: Option<String> = match self.lettered {
             Lettered::Live | Lettered::Embedded => None,
             #[cfg(feature = "png")]
@@ -500,70 +353,49 @@ impl<'a> Writer<'a> {
             #[cfg(feature = "png")]
             Lettered::Outlined(outlines) => {
                 let d = outlines.get(&format!("t{number}")).map_or("", String::as_str);
-                self.open("path");
-                self.class(text.class);
-                self.attribute("role", "img");
-                self.begin_attribute("aria-label");
-                self.escaped(&text.content(), "\"");
-                self.out.push_str(&format!("\" d=\"{d}\"/>"));
-                return;
+                let words = attribute(&text.content());
+                return Blob::new(format!("<path{class} role=\"img\" aria-label=\"{words}\" d=\"{d}\"/>"));
             }
         };
-        let id = |out: &mut String, part: usize| {
-            if let Some(name) = &name {
-                out.push_str(&format!(" id=\"{name}-{part}\""));
-            }
-        };
+        let id = |part: usize| name.as_ref().map_or(String::new(), |name| format!(" id=\"{name}-{part}\""));
         if !text.runs.iter().any(|run| run.face.is_arabic()) {
-            self.open("text");
-            self.class(text.class);
-            id(&mut self.out, 0);
-            self.out.push('>');
-            text.runs.iter().for_each(|own| self.run(own));
-            self.close("text");
-            return;
+            let runs: String = text.runs.iter().map(run).collect();
+            return Blob::new(format!("<text{class}{}>{runs}</text>", id(0)));
         }
-        self.open("g");
-        self.class(text.class);
-        self.out.push('>');
-        for (part, own) in text.runs.iter().enumerate() {
-            self.open("text");
-            id(&mut self.out, part);
-            match (own.face.is_arabic(), self.lettered) {
-                (false, _) => {}
-                (true, Lettered::Embedded) => self.class(ARABIC_CLASS),
-                // Its quotes stand as they are.
-                (true, _) => self.out.push_str(&format!(" font-family=\"{ARABIC_FAMILIES}\"")),
-            }
-            self.out.push('>');
-            self.run(own);
-            self.close("text");
-        }
-        self.close("g");
+        let alone = |(part, own): (usize, &Run)| {
+            let family = match (own.face.is_arabic(), self.lettered) {
+                (false, _) => String::new(),
+                (true, Lettered::Embedded) => format!(" class=\"{ARABIC_CLASS}\""),
+                (true, _) => format!(" font-family=\"{ARABIC_FAMILIES}\""),
+            };
+            format!("<text{}{family}>{}</text>", id(part), run(own))
+        };
+        Blob::new(format!("<g{class}>{}</g>", text.runs.iter().enumerate().map(alone).collect::<String>()))
     }
+}
 
-    fn class(&mut self, class: &str) {
-        if !class.is_empty() {
-            self.out.push_str(" class=\"");
-            self.out.push_str(class);
-            self.out.push('"');
-        }
-    }
+fn run(run: &Run) -> String {
+    let face = match run.face {
+        Face::Upright | Face::Arabic => "",
+        Face::Italic => " font-style=\"italic\"",
+        Face::Bold | Face::ArabicBold => " font-weight=\"bold\"",
+    };
+    format!(
+        "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
+        decimal(run.at.x, LAYOUT),
+        decimal(run.at.y, LAYOUT),
+        decimal(run.size, LAYOUT),
+        escape(&run.text),
+    )
+}
 
-    fn run(&mut self, run: &Run) {
-        self.open("tspan");
-        self.number("x", run.at.x, LAYOUT);
-        self.number("y", run.at.y, LAYOUT);
-        self.number("font-size", run.size, LAYOUT);
-        self.out.push_str(match run.face {
-            Face::Upright | Face::Arabic => "",
-            Face::Italic => " font-style=\"italic\"",
-            Face::Bold | Face::ArabicBold => " font-weight=\"bold\"",
-        });
-        self.out.push('>');
-        self.words(&run.text);
-        self.close("tspan");
-    }
+fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
+    let places: Vec<String> = points.iter().map(|p| at(*p)).collect();
+    format!("M{}", places.join(" L"))
+}
+
+fn colour(theme: Theme, tone: Tone, place: Place) -> String {
+    format!("#{}", theme.colour(tone, place).hex())
 }
 
 fn dashes(pen: Pen) -> Option<String> {
@@ -571,13 +403,25 @@ fn dashes(pen: Pen) -> Option<String> {
     Some(lengths.join(" "))
 }
 
-/// A character that XML cannot hold becomes the replacement character.
-const fn printed(c: char) -> char {
-    match c {
-        '\t' | '\n' | '\r' => ' ',
-        '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
-        c => c,
-    }
+/// Characters that XML cannot hold become the replacement character.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\t' | '\n' | '\r' => ' ',
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+            c => c,
+        })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Text for an attribute in double quotes.
+#[cfg(feature = "png")]
+fn attribute(text: &str) -> String {
+    escape(text).replace('"', "&quot;")
 }
 
 #[cfg(test)]
