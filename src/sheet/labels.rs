@@ -292,6 +292,9 @@ struct Area {
     bounds: Rect,
 }
 
+/// Two points, in units of [`TOGETHER_MM`].
+type Ends = ([i64; 2], [i64; 2]);
+
 /// What labels keep away from.
 enum Thing<'a> {
     Clump(&'a Clump),
@@ -400,7 +403,7 @@ impl Obstacles {
         let rounded = |at: Point| [at.x, at.y].map(|x| (x / TOGETHER_MM).round() as i64);
         let corners = |own: Rect| (rounded(own.origin()), rounded(Point::new(own.x1, own.y1)));
         // Of a stroke that stands alone its ends and its width, of several together their box and how many they are.
-        let mut first_of: HashMap<(([i64; 2], [i64; 2]), usize, u64), usize> = HashMap::new();
+        let mut first_of: HashMap<(Ends, usize, u64), usize> = HashMap::new();
         let mut gathered: Vec<Clump> = Vec::with_capacity(self.clumps.len());
         for clump in self.clumps.drain(..) {
             let key = match &self.strokes[clump.strokes.clone()] {
@@ -420,7 +423,7 @@ impl Obstacles {
             }
         }
         self.clumps = gathered;
-        let mut first_of: HashMap<([i64; 2], [i64; 2]), usize> = HashMap::new();
+        let mut first_of: HashMap<Ends, usize> = HashMap::new();
         let mut gathered: Vec<Area> = Vec::with_capacity(self.areas.len());
         for area in self.areas.drain(..) {
             match first_of.entry(corners(area.bounds)) {
