@@ -231,7 +231,7 @@ test('a wrong move is noticed', async () => {
   const html = pageOf(slider);
   for (const [from, to] of [
     [',y=-(at[1]-origin', ',y=(at[1]-origin'],
-    ['at[axis]+=sign*value;', 'at[axis]-=sign*value;'],
+    ['at[axis]+=sign*value}', 'at[axis]-=sign*value}'],
     ['const d=minus(b,a),length=sizeOf(d);const short', 'const d=minus(a,b),length=sizeOf(d);const short'],
     ['s=(to.x.y*from.x.x-to.x.x*from.x.y)/ n', 's=-(to.x.y*from.x.x-to.x.x*from.x.y)/ n'],
   ]) {

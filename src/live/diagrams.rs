@@ -1,12 +1,13 @@
 //! The diagrams of a page: what of their ink hangs on which numbers, at which scale, and where names stand along the course.
 
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
 use super::LiveError;
-use super::moves::{Binder, Frame, Move, Moving, PAST, Place, Seen, bind, marks};
+use super::moves::{Binder, Frame, Move, Moving, PAST, Place, Seen, bind, marks, shape_through};
 use super::said::{Paper, Printed, TAKEN};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
@@ -218,12 +219,7 @@ impl Diagrams {
     /// What is said of the steps, with what their numbers hang on.
     pub(super) fn said(&self, sweep: &Sweep, input: f64, language: Language) -> Vec<Value> {
         let drawn = &self.drawn;
-        let draughts: Vec<Draughts<'_>> = drawn
-            .scenes
-            .iter()
-            .zip(&drawn.constructions)
-            .map(|(scene, construction)| Draughts::new(scene, construction, language))
-            .collect();
+        let draughts = drawn.draughts(language);
         let Some(first) = draughts.first() else { return Vec::new() };
         let order = |kind: DiagramKind| {
             move |of: Quantity| match kind {
@@ -545,6 +541,17 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         moved.mechanism = Mechanism { asked: scene.mechanism.asked.clone(), ..mechanism };
         moved.sheet.positions.clear();
         moved.sheet.other_assembly = false;
+        // Elsewhere what is varied has another angle than the stated one.
+        for (input, units) in moved.mechanism.inputs.iter().zip(&mut moved.input_units) {
+            let is_varied = match (sweep.input, input) {
+                (InputKind::Angle(varied), Input::Angle { link, .. } | Input::Speed { link, .. }) => {
+                    *link == varied
+                }
+                (InputKind::Time, _) => true,
+                _ => false,
+            };
+            units.angle = units.angle.filter(|_| at == sweep.start || !is_varied);
+        }
         let solved = solve_with(&moved, Extent::WholeSkeleton, &[], Settings::default(), |_, _| scales);
         let solved = match solved {
             Ok(solved) => solved,
@@ -558,13 +565,26 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
             all.circle = draughts.circle();
         }
         all.layers.push(draughts.layers());
-        all.diagrams.push(draughts.diagrams());
         all.numbers.push(numbers);
         all.constructions.push(construction);
         all.places.push(at);
         all.scenes.push(moved);
     }
+    // What turns anywhere has its arrow everywhere: where a page opens a link may stand still.
+    let draughts = all.draughts(language);
+    let mut turning: Vec<(LinkId, bool)> = draughts.iter().flat_map(Draughts::turning).collect();
+    turning.sort_unstable();
+    turning.dedup();
+    all.diagrams = draughts.iter().map(|draughts| draughts.diagrams(&turning)).collect();
     Ok(all)
+}
+
+impl Drawn {
+    /// How each position is drawn.
+    fn draughts(&self, language: Language) -> Vec<Draughts<'_>> {
+        let each = self.scenes.iter().zip(&self.constructions);
+        each.map(|(scene, construction)| Draughts::new(scene, construction, language)).collect()
+    }
 }
 
 /// The mechanism of another position as the scene states it: what is found there is found, though it was placed for whoever cannot
@@ -826,10 +846,10 @@ fn panel(
     let mut spots: Vec<Spotted> = Vec::new();
     if kind == DiagramKind::Skeleton {
         let points = &sketch.points;
-        let numbers = (&scene.mechanism, sweep, course, start);
-        skeleton(&mut panel, index, (&own, points), &binder, numbers, &drawn.names);
+        let numbers = (&scene.mechanism, sweep, course);
+        let arrows = skeleton(&mut panel, index, (&own, points), &binder, numbers, &drawn.names);
         panel.openings = leaving(&first.openings, points, &scene.mechanism);
-        spots.extend(names_of_skeleton(&own, &binder, &panel));
+        spots.extend(names_of_skeleton(&own, &binder, &panel, &arrows));
         if let Some(layer) = sketch.layer {
             // Of an instant of the input only how the links stand and what is drawn over them.
             let same: Vec<&Layer> = drawn.layers.iter().filter_map(|all| all.get(layer)).collect();
@@ -1058,14 +1078,35 @@ fn skeleton(
     index: usize,
     (own, points): (&[&Drawing], &[PointId]),
     binder: &Binder,
-    (mechanism, sweep, course, start): (&Mechanism, &Sweep, &[Numbers], &Numbers),
+    (mechanism, sweep, course): (&Mechanism, &Sweep, &[Numbers]),
     names: &Names,
-) {
+) -> Vec<CurvedArrow> {
     let drawn: Vec<Vec<(String, Vec<Group>)>> = own.iter().map(|diagram| items(&diagram.ink)).collect();
     let mut number = 0;
     let course = panel_seen(panel, course);
+    let mut arrows = Vec::new();
     for (t, (class, first)) in drawn[0].iter().enumerate() {
         let mut all = Group::new(class.clone());
+        if class == "rotations" {
+            // They are of an instant of the input.
+            if !matches!(panel.shows, Shows::Layer(_)) {
+                arrows = curved_arrows(&drawn, binder, (sweep, points), names);
+            }
+            for CurvedArrow { output, frame, quantity, ink, .. } in &arrows {
+                let is_positive = counterclockwise(ink);
+                for (item, is_positive) in [(ink.clone(), is_positive), (mirrored(ink), !is_positive)] {
+                    number += 1;
+                    let (id, mut ink) = (format!("d{index}s{number}"), item);
+                    ink.id = Some(id.clone());
+                    all.group(ink.clone());
+                    let (by, sense) = (Move::Whole(*frame), Some((*output, is_positive)));
+                    let step = ink.life.map(|life| life.born.step);
+                    panel.moving.push(Moving { id, by, quantity: Some(quantity.clone()), sense, step, ink });
+                }
+            }
+            panel.ink.group(all);
+            continue;
+        }
         for (i, item) in first.iter().enumerate() {
             let same: Vec<&Group> = drawn
                 .iter()
@@ -1084,31 +1125,19 @@ fn skeleton(
             };
             let quantity = item.data.iter().find(|(name, _)| *name == "quantity").map(|(_, of)| of.clone());
             let step = item.life.map(|life| life.born.step);
-            let mut add = |item: &Group, by: Move, sense: Option<(usize, bool)>| {
+            let mut add = |item: &Group, by: Move| {
                 let id = id(&mut number);
                 let mut ink = item.clone();
                 ink.id = Some(id.clone());
                 all.group(ink.clone());
-                panel.moving.push(Moving { id, by, quantity: quantity.clone(), sense, step, ink });
+                panel.moving.push(Moving { id, by, quantity: quantity.clone(), sense: None, step, ink });
             };
-            let is_of_an_instant = item.class.starts_with("rotation") || class == "angles";
-            if is_of_an_instant && matches!(panel.shows, Shows::Layer(_)) {
-                continue;
-            }
-            if item.class.starts_with("rotation") {
-                let turns = names.rotations.iter().find(|(name, ..)| Some(name) == quantity.as_ref());
-                let Some((_, link, second)) = turns else { continue };
-                let of = if *second { Quantity::Alpha(*link) } else { Quantity::Omega(*link) };
-                let Some(output) = scalar(sweep, of) else { continue };
-                let frame = frame_of_link(sweep, *link, points);
-                let is_positive = start[output].is_some_and(|value| value > 0.0);
-                add(item, Move::Whole(frame), Some((output, is_positive)));
-                add(&mirrored(item), Move::Whole(frame), Some((output, !is_positive)));
+            if class == "angles" && matches!(panel.shows, Shows::Layer(_)) {
                 continue;
             }
             if class == "angles" {
                 let stated = inputs_with_an_angle(mechanism).nth(i);
-                for (arc, by) in turns(item, binder) {
+                for (arc, by) in turns(&same, binder) {
                     let by = match (by, stated) {
                         (Move::Turn(place, radius, _), Some(link)) if sweep.input == InputKind::Time => {
                             let angle = scalar(sweep, Quantity::Angle(link));
@@ -1120,7 +1149,7 @@ fn skeleton(
                         }
                         (by, _) => by,
                     };
-                    add(&arc, by, None);
+                    add(&arc, by);
                 }
                 continue;
             }
@@ -1131,18 +1160,20 @@ fn skeleton(
                 let by = bind(binder, &rests.iter().collect::<Vec<_>>());
                 if let Move::Whole(Frame::At(rider)) = by {
                     for copy in along_the_course(&guide, rider, &course, binder) {
-                        add(&copy, Move::Whole(Frame::Fixed), None);
+                        add(&copy, Move::Whole(Frame::Fixed));
                     }
-                    add(&rest, by, None);
+                    add(&rest, by);
                     continue;
                 }
             }
             let mut by = bind(binder, &same);
-            if by == Move::Still
+            // A slot that grows with the way of its rider is none of a rigid link.
+            let grows = item.class.contains("slot") && matches!(by, Move::Strokes(_));
+            if (by == Move::Still || grows)
                 && let Some((rigid, frame)) =
                     as_a_body(item, &same, binder, &course, (mechanism, sweep, points))
             {
-                add(&rigid, Move::Whole(frame), None);
+                add(&rigid, Move::Whole(frame));
                 continue;
             }
             if class == "frame" {
@@ -1155,16 +1186,87 @@ fn skeleton(
                 if let Some(rider) = rider {
                     // The frame stands still: its guide is drawn as far as the rider goes.
                     for copy in along_the_course(item, rider, &course, binder) {
-                        add(&copy, Move::Whole(Frame::Fixed), None);
+                        add(&copy, Move::Whole(Frame::Fixed));
                     }
                     continue;
                 }
                 by = Move::Whole(Frame::Fixed);
             }
-            add(item, by, None);
+            add(item, by);
         }
         panel.ink.group(all);
     }
+    arrows
+}
+
+/// A curved arrow of a skeleton.
+#[derive(Debug)]
+struct CurvedArrow {
+    /// What it shows.
+    output: usize,
+    quantity: String,
+    frame: Frame,
+    /// At the scene's own position.
+    ink: Group,
+    /// As it is drawn, and at which of the drawn positions.
+    drawn: (usize, Group),
+}
+
+/// The curved arrows: of each rotation the one of the first position in which it finds room.
+fn curved_arrows(
+    drawn: &[Vec<(String, Vec<Group>)>],
+    binder: &Binder,
+    (sweep, points): (&Sweep, &[PointId]),
+    names: &Names,
+) -> Vec<CurvedArrow> {
+    let mut all: Vec<CurvedArrow> = Vec::new();
+    for (position, groups) in drawn.iter().enumerate() {
+        for item in groups.iter().filter(|(class, _)| class == "rotations").flat_map(|(_, items)| items) {
+            let quantity = item.data.iter().find(|(name, _)| *name == "quantity").map(|(_, of)| of);
+            let Some((name, link, second)) = names.rotations.iter().find(|(own, ..)| Some(own) == quantity)
+            else {
+                continue;
+            };
+            let of = if *second { Quantity::Alpha(*link) } else { Quantity::Omega(*link) };
+            let Some(output) = scalar(sweep, of) else { continue };
+            if all.iter().any(|known| known.output == output) {
+                continue;
+            }
+            let frame = frame_of_link(sweep, *link, points);
+            let Some(ink) = at_home(item, frame, binder, position) else { continue };
+            let (quantity, drawn) = (name.clone(), (position, item.clone()));
+            all.push(CurvedArrow { output, quantity, frame, ink, drawn });
+        }
+    }
+    all
+}
+
+/// A curved arrow of one of the drawn positions, at the scene's own.
+fn at_home(item: &Group, frame: Frame, binder: &Binder, position: usize) -> Option<Group> {
+    if position == 0 {
+        return Some(item.clone());
+    }
+    let (home, there) = (binder.seen.first()?, binder.seen.get(position)?);
+    let carried = |at: Point| frame.global(frame.local(at, there)?, home);
+    let mut own = Group { children: Vec::new(), ..item.clone() };
+    for mark in marks(item) {
+        let shape = match &mark.shape {
+            Shape::Arc { centre, radius, start, sweep } => {
+                let begin = carried(crate::sheet::figure::on_circle(*centre, *radius, *start))?;
+                let (centre, radius, sweep) = (carried(*centre)?, *radius, *sweep);
+                let way = begin - centre;
+                Shape::Arc { centre, radius, start: libm::atan2(-way.y, way.x), sweep }
+            }
+            shape => shape_through(shape, carried)?,
+        };
+        own.mark(Mark { shape, ..mark.clone() });
+    }
+    Some(own)
+}
+
+/// Whether a curved arrow is drawn that way.
+fn counterclockwise(item: &Group) -> bool {
+    marks(item).iter().any(|mark| matches!(mark.shape, Shape::Arc { sweep, .. } if sweep > 0.0))
 }
 
 fn panel_seen(panel: &Panel, course: &[Numbers]) -> Vec<Seen> {
@@ -1300,35 +1402,27 @@ fn inputs_with_an_angle(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> +
     })
 }
 
-/// The arc of an angle from the right, and what stands still beside it.
-fn turns(item: &Group, binder: &Binder) -> Vec<(Group, Move)> {
-    let (mut still, mut arc) = (Group::new("axis"), None);
-    item.walk(&mut |node| {
-        if let Node::Mark(mark) = node {
-            match &mark.shape {
-                Shape::Arc { centre, radius, .. } => arc = Some((*centre, *radius)),
-                Shape::Line(..) => still.mark(mark.clone()),
-                _ => {}
-            }
-        }
-    });
-    let mut all = vec![(still, Move::Whole(Frame::Fixed))];
-    let first = binder.seen.first();
-    let near = |centre: Point| move |at: &Option<Point>| at.is_some_and(|at| at.distance(centre) < 1e-4);
-    let place = |centre: Point| first.and_then(|seen| seen.places.iter().position(near(centre)));
-    if let Some((centre, radius)) = arc
-        && let Some(place) = place(centre)
-    {
-        let mut group = Group::new("turn");
-        item.walk(&mut |node| {
-            if let Node::Mark(mark) = node
-                && !matches!(mark.shape, Shape::Line(..))
-            {
-                group.mark(mark.clone());
-            }
-        });
-        all.push((group, Move::Turn(place, radius, None)));
+/// The arc of an angle from the right, as it is drawn in the first position in which the angle is not zero, and what stands still
+/// beside it.
+fn turns(same: &[&Group], binder: &Binder) -> Vec<(Group, Move)> {
+    let is_line = |mark: &&&Mark| matches!(mark.shape, Shape::Line(..));
+    let mut still = Group::new("axis");
+    for mark in same.first().iter().flat_map(|own| marks(own)).filter(|mark| is_line(&mark)) {
+        still.mark(mark.clone());
     }
+    let mut all = vec![(still, Move::Whole(Frame::Fixed))];
+    let arc = |(own, seen): (&&Group, &Seen)| {
+        let (centre, radius) = marks(own).into_iter().find_map(|mark| match mark.shape {
+            Shape::Arc { centre, radius, .. } => Some((centre, radius)),
+            _ => None,
+        })?;
+        let is_here = |at: &Option<Point>| at.is_some_and(|at| at.distance(centre) < 1e-4);
+        let place = seen.places.iter().position(is_here)?;
+        let mut group = Group::new("turn");
+        marks(own).into_iter().filter(|mark| !is_line(&mark)).for_each(|mark| group.mark(mark.clone()));
+        Some((group, Move::Turn(place, radius, None)))
+    };
+    all.extend(same.iter().zip(&binder.seen).find_map(arc));
     all
 }
 
@@ -1509,27 +1603,53 @@ fn polygon_ink(
     }
 }
 
-/// The curved arrow whose middle is here: not every one that is drawn moves.
-fn arrow_at<'m>(arrows: &[&'m Moving], at: Point) -> Option<&'m Moving> {
-    /// The head of an arrow takes so much of its arc, mm.
-    const HEAD: f64 = 2.5;
-    let is_here = |moving: &&&Moving| {
-        marks(&moving.ink).iter().any(|mark| match mark.shape {
+impl CurvedArrow {
+    /// Whether its middle is here, where it is drawn: not every one that is drawn moves.
+    fn is_at(&self, position: usize, at: Point) -> bool {
+        /// The head of an arrow takes so much of its arc, mm.
+        const HEAD: f64 = 2.5;
+        let (drawn, ink) = &self.drawn;
+        let is_here = |mark: &&Mark| match mark.shape {
             Shape::Arc { centre, radius, start, sweep } => {
                 let middle = crate::sheet::figure::on_circle(centre, radius, start + sweep / 2.0);
                 (at.distance(centre) - radius).abs() < 1e-6 && at.distance(middle) < HEAD
             }
             _ => false,
-        })
-    };
-    arrows.iter().find(is_here).copied()
+        };
+        *drawn == position && marks(ink).iter().any(is_here)
+    }
+}
+
+/// The names of the curved arrows, each with the position in which its arrow is drawn and its place among the names of that.
+fn names_of_arrows(
+    own: &[&Drawing],
+    binder: &Binder,
+    arrows: &[CurvedArrow],
+) -> Vec<(usize, usize, Spotted)> {
+    let mut all = Vec::new();
+    for (position, (drawing, seen)) in own.iter().zip(&binder.seen).enumerate() {
+        for (n, name) in drawing.names.iter().enumerate() {
+            let at = name.spot().anchor();
+            let arrow = arrows.iter().find(|arrow| arrow.is_at(position, at));
+            if let Some(arrow) = arrow.filter(|_| name.class() == "label rotation-name")
+                && let Some(place) = arrow.frame.local(at, seen)
+            {
+                let spotted = Spotted::new(name.clone(), vec![(arrow.frame, place)]);
+                all.push((position, n, Spotted { output: Some(arrow.output), ..spotted }));
+            }
+        }
+    }
+    all
 }
 
 /// The names of a skeleton, each with what it hangs on.
-fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Spotted> {
-    let arrows: Vec<&Moving> =
-        panel.moving.iter().filter(|m| m.sense.is_some() && m.ink.class.starts_with("rotation")).collect();
-    let arrows: Vec<&Moving> = arrows.chunks(2).map(|pair| pair[0]).collect();
+fn names_of_skeleton(
+    own: &[&Drawing],
+    binder: &Binder,
+    panel: &Panel,
+    arrows: &[CurvedArrow],
+) -> Vec<Spotted> {
+    let of_arrows = names_of_arrows(own, binder, arrows);
     let mut all = Vec::new();
     for (n, name) in own[0].names.iter().enumerate() {
         let at = |point: Point, frame: Frame| Some((frame, binder.local(frame, point)?));
@@ -1541,17 +1661,14 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Sp
         if name.class() == "label angle" {
             continue;
         }
+        if name.class() == "label rotation-name" {
+            let of_this = of_arrows.iter().find(|(position, own, _)| (*position, *own) == (0, n));
+            all.extend(of_this.map(|(.., spotted)| spotted.clone()));
+            continue;
+        }
         let first = ends(name.spot());
         let is_of_the_frame = name.class() == "label link-number" && name.of().is_empty();
-        let mut output = None;
-        let bound: Option<Anchors> = if name.class() == "label rotation-name" {
-            let arrow = arrow_at(&arrows, name.spot().anchor());
-            output = arrow.and_then(|arrow| arrow.sense).map(|(output, _)| output);
-            match arrow.map(|arrow| &arrow.by) {
-                Some(Move::Whole(frame)) => first.iter().map(|point| at(*point, *frame)).collect(),
-                _ => None,
-            }
-        } else if is_of_the_frame {
+        let bound: Option<Anchors> = if is_of_the_frame {
             first.iter().map(|point| at(*point, Frame::Fixed)).collect()
         } else {
             // In a crowd an arrow with its name may be given up: names are told by what they say.
@@ -1571,10 +1688,10 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Sp
                 bound => bound,
             }
         };
-        if let Some(bound) = bound {
-            all.push(Spotted { output, ..Spotted::new(name.clone(), bound) });
-        }
+        all.extend(bound.map(|bound| Spotted::new(name.clone(), bound)));
     }
+    let of_others = of_arrows.into_iter().filter(|(position, ..)| *position > 0);
+    all.extend(of_others.map(|(.., spotted)| spotted));
     all
 }
 
@@ -1646,13 +1763,21 @@ fn place_names(
     refit: bool,
 ) {
     let home = panel.seen(start);
+    // What is so small beside what it is elsewhere is zero but for rounding, and has no arrow.
+    let least = |output: usize| {
+        let sizes = course.iter().filter_map(|numbers| numbers[output]).map(f64::abs);
+        1e-9 * sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+    };
+    let senses = panel.moving.iter().filter_map(|moving| moving.sense);
+    let least: BTreeMap<usize, f64> = senses.map(|(output, _)| (output, least(output))).collect();
+    let least = |output: usize| least.get(&output).copied().unwrap_or(0.0);
     let frame = |numbers: &Numbers| {
         let fitted = if refit { panel.fitted(numbers) } else { None };
         let seen = panel.seen_at(numbers, fitted.unwrap_or(panel.si_per_mm));
         let mut ink = Group::new("moved");
         for moving in &panel.moving {
             let visible = moving.sense.is_none_or(|(output, positive)| {
-                numbers[output].is_some_and(|value| value != 0.0 && (value > 0.0) == positive)
+                numbers[output].is_some_and(|value| value.abs() > least(output) && (value > 0.0) == positive)
             });
             if visible && let Some(moved) = moving.moved(&home, &seen) {
                 ink.group(moved);

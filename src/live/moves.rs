@@ -369,7 +369,7 @@ impl Moving {
     }
 }
 
-fn shape_through(shape: &Shape, shift: impl Fn(Point) -> Option<Point>) -> Option<Shape> {
+pub(super) fn shape_through(shape: &Shape, shift: impl Fn(Point) -> Option<Point>) -> Option<Shape> {
     let all = |points: &[Point]| points.iter().map(|at| shift(*at)).collect::<Option<Vec<_>>>();
     Some(match shape {
         Shape::Line(a, b) => Shape::Line(shift(*a)?, shift(*b)?),

@@ -300,9 +300,17 @@ fn bare(script: &str) -> String {
     }
     out.push_str(rest);
     let lines = out.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
-    // Where a line ends in what goes on, or ends a block, its end says nothing.
+    // Where a line ends in what goes on, or ends a block, its end says nothing; nor does it where the next one goes on, or the end of
+    // the last statement of a block.
     let goes_on = |line: &str| line == "}" || line.ends_with([';', '{', ',', '(']);
-    lines.map(|line| tight(line) + if goes_on(line) { "" } else { "\n" }).collect()
+    lines.fold(String::new(), |mut all, line| {
+        let says_nothing =
+            |end: char| end == '\n' && line.starts_with('.') || end == ';' && line.starts_with('}');
+        if all.ends_with(says_nothing) {
+            all.pop();
+        }
+        all + &tight(line) + if goes_on(line) { "" } else { "\n" }
+    })
 }
 
 /// A line of a script without the blanks beside its signs. Texts stay as they are, and lines with a pattern, whose strokes have no
@@ -324,6 +332,10 @@ fn tight(line: &str) -> String {
             if beside.into_iter().flatten().any(is_sign) {
                 continue;
             }
+        }
+        // Before the end of a block the end of a statement says nothing.
+        if c == '}' && quote.is_none() && out.ends_with(';') {
+            out.pop();
         }
         out.push(c);
         match quote {

@@ -16,6 +16,9 @@ use crate::mechanism::quantity::Quantity;
 use crate::sheet::moving::{self, Lengths, Said, Sentence};
 use crate::sweep::Sweep;
 
+/// The name of what is said everywhere but at the scene's own position.
+const ELSEWHERE: &str = "elsewhere";
+
 /// More figures than this no factor of a line has.
 const GUARDS: usize = 4;
 
@@ -449,7 +452,19 @@ impl Printed {
         self.text_at(&places, printed, of_an_instant, told)
     }
 
-    /// The same of some of the positions, the first of which has the words.
+    /// Those of some positions in which a text has the words that it has in most.
+    fn most_alike(&self, places: &[usize], printed: &[&str]) -> Vec<usize> {
+        let tokens: Vec<Vec<Token>> = places.iter().map(|place| self.tokens(printed[*place])).collect();
+        let agree = |own: &Vec<Token>| -> Vec<usize> {
+            let all = places.iter().zip(&tokens).filter(|(_, other)| alike(other, own));
+            all.map(|(place, _)| *place).collect()
+        };
+        // Of several that are as many the first.
+        tokens.iter().map(agree).rev().max_by_key(Vec::len).unwrap_or_default()
+    }
+
+    /// The same of some of the positions, the first of which has the words; where these are said of the scene's own position alone, the
+    /// text has them under `own`, and under [`ELSEWHERE`] what is said in the others.
     fn text_at(
         &self,
         places: &[usize],
@@ -458,12 +473,24 @@ impl Printed {
         told: &mut Calculated,
     ) -> Value {
         let before = told.numbers.len();
-        let text = self.in_pieces(places, printed, of_an_instant, told);
+        let mut text = self.in_pieces(places, printed, of_an_instant, told);
         if text.is_object() {
             // What stands nowhere is not told.
             told.numbers.truncate(before);
         }
-        let read = text.as_array().into_iter().flatten().filter(|piece| piece.get(0) == Some(&json!(READ)));
+        // Where the scene stands, something may be zero or fall together, and is said in other words and numbers.
+        if let ([0, others @ ..], true) = (places, text.is_object())
+            && others.len() >= ENOUGH
+        {
+            let elsewhere = self.in_pieces(&self.most_alike(others, printed), printed, of_an_instant, told);
+            if elsewhere.is_object() {
+                told.numbers.truncate(before);
+            } else {
+                text[ELSEWHERE] = elsewhere;
+            }
+        }
+        let pieces = text.get(ELSEWHERE).unwrap_or(&text);
+        let read = pieces.as_array().into_iter().flatten().filter(|piece| piece.get(0) == Some(&json!(READ)));
         told.read.extend(read.filter_map(|piece| usize::try_from(piece.get(1)?.as_u64()?).ok()));
         text
     }
@@ -545,10 +572,11 @@ impl Printed {
                     }
                     // A number stands everywhere as it was told; and what a line calculates is calculated from the numbers
                     // before it as they are printed: so the line closes.
-                    let is_everywhere = at.len() == tokens.len();
+                    let is_everywhere = (0..tokens.len()).all(|place| place == 0 || at.contains(&place));
                     let known = told.told(&same, &at);
-                    let known = known
-                        .or_else(|| if is_everywhere { self.calculated(&all, &pieces, told) } else { None });
+                    let known = known.or_else(|| {
+                        if is_everywhere { self.calculated(&all, &tokens, &pieces, told) } else { None }
+                    });
                     let bound = known
                         .map(|piece| (piece, None))
                         .or_else(|| self.bound(&same, &at, false, &told.read))
@@ -616,9 +644,15 @@ impl Printed {
         each.all(|more| more.is_some()).then_some((si, more))
     }
 
-    /// A number that its line calculates from those before it, as they are printed, in every position; or from a distance on paper
-    /// by the scale of the skeleton.
-    fn calculated(&self, all: &[&Vec<Token>], pieces: &[Value], told: &mut Calculated) -> Option<Value> {
+    /// A number that its line calculates from those before it, as they are printed, in every position that is taken; or from a distance
+    /// on paper by the scale of the skeleton. `everywhere`: the line in all positions, whose own may have other words.
+    fn calculated(
+        &self,
+        all: &[&Vec<Token>],
+        everywhere: &[Vec<Token>],
+        pieces: &[Value],
+        told: &mut Calculated,
+    ) -> Option<Value> {
         let index = pieces.len();
         let number = |tokens: &[Token], index: usize| match tokens.get(index) {
             Some(Token::Number(text)) => value_of(text),
@@ -702,7 +736,7 @@ impl Printed {
         if !is_varied {
             return None;
         }
-        told.numbers.push(all.iter().map(printed).collect());
+        told.numbers.push(everywhere.iter().map(|tokens| printed(&tokens)).collect());
         // As many as it takes for what is calculated from it to come out in every position that was drawn.
         let most = figures.iter().max()?;
         Some(json!([CALCULATED, told.numbers.len() - 1, factors, divisors, most, figures.first()?]))
@@ -777,11 +811,29 @@ impl Printed {
         if let Some(value) = self.by_length(line, &drawn, shortest, of_an_instant, told) {
             return Some(value);
         }
-        let first = drawn.first().copied().flatten()?;
+        let Some(first) = drawn.first().copied().flatten() else {
+            return self.only_elsewhere(line, &drawn, of_an_instant, told);
+        };
         Some(match drawn.into_iter().collect::<Option<Vec<&str>>>() {
             Some(printed) if line.drawn.is_alike => self.text(&printed, of_an_instant, told),
             _ => json!({ "own": first }),
         })
+    }
+
+    /// A sentence that the scene's own position does not have: what is zero there is not carried over.
+    fn only_elsewhere(
+        &self,
+        line: &Line<'_>,
+        drawn: &[Option<&str>],
+        of_an_instant: &[String],
+        told: &mut Calculated,
+    ) -> Option<Value> {
+        drawn.get(1..)?.iter().all(Option::is_some).then_some(())?;
+        let printed: Vec<&str> = drawn.iter().map(|text| text.unwrap_or_default()).collect();
+        let others: Vec<usize> = (1..printed.len()).collect();
+        let most = self.most_alike(&others, &printed);
+        let text = self.text_at(&most, &printed, of_an_instant, told);
+        (line.drawn.is_alike && !text.is_object()).then(|| json!({ "own": "", ELSEWHERE: text }))
     }
 
     /// A sentence whose words hang on how long its vector is on paper: the output and the panel of that, and the words of each.
@@ -805,6 +857,7 @@ impl Printed {
         let words = |text: &str| self.tokens(text);
         let own = taken.iter().position(|texts| alike(&words(&texts[0]), &words(&drawn[0])))?;
         let mut all: Vec<Option<Value>> = Vec::new();
+        let mut is_verbatim = false;
         for (index, texts) in taken.iter().enumerate() {
             let printed: Vec<&str> = texts.iter().map(String::as_str).collect();
             let mut value = json!({});
@@ -817,14 +870,12 @@ impl Printed {
             }
             if value.is_object() {
                 // Where most positions agree: a length may be zero in one, or not to be measured.
-                let agree = |place: &usize| {
-                    let own = words(printed[*place]);
-                    (0..printed.len())
-                        .filter(|other| alike(&words(printed[*other]), &own))
-                        .collect::<Vec<_>>()
-                };
-                let most = (0..printed.len()).map(|place| agree(&place)).max_by_key(Vec::len)?;
-                value = self.text_at(&most, &printed, of_an_instant, told);
+                let places: Vec<usize> = (0..printed.len()).collect();
+                value = self.text_at(&self.most_alike(&places, &printed), &printed, of_an_instant, told);
+            }
+            if let Some(elsewhere) = value.get(ELSEWHERE).cloned() {
+                is_verbatim |= index == own;
+                value = elsewhere;
             }
             all.push((!value.is_object()).then_some(value));
         }
@@ -844,7 +895,7 @@ impl Printed {
                 value[name] = text.clone();
             }
         }
-        if value.get(NAMES_OF_TAKEN[own]).is_none() {
+        if is_verbatim || value.get(NAMES_OF_TAKEN[own]).is_none() {
             value["own"] = json!(drawn[0]);
         }
         Some(value)
@@ -928,14 +979,19 @@ impl<'a> Lines<'a> {
         self.each.iter().map(text).collect()
     }
 
-    /// All sentences of the scene's own position, in order, with those that it would have if vectors were of another length.
+    /// All sentences of the scene's own position, in order, with those that it would have if vectors were of another length, or that
+    /// another position has.
     fn keys(drawn: &Self, taken: &[Self]) -> Vec<LineKey> {
-        let keys = |lines: &Self| -> Vec<LineKey> {
-            lines.each.first().map_or_else(Vec::new, |all| all.iter().map(|(key, _)| *key).collect())
-        };
-        let own = keys(drawn);
+        let keys =
+            |all: &Vec<(LineKey, &Sentence)>| -> Vec<LineKey> { all.iter().map(|(key, _)| *key).collect() };
+        let own = drawn.each.first().map(keys).unwrap_or_default();
         let has_all = |more: &Vec<LineKey>| own.iter().all(|key| more.contains(key));
-        taken.iter().map(keys).filter(has_all).max_by_key(Vec::len).unwrap_or(own)
+        let each = taken.iter().filter_map(|lines| lines.each.first()).chain(&drawn.each).map(keys);
+        let longest = each.filter(has_all).fold(None, |longest: Option<Vec<LineKey>>, more| {
+            // Of several that have as many the first.
+            longest.filter(|own| own.len() >= more.len()).or(Some(more))
+        });
+        longest.unwrap_or(own)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Nothing here knows how anything moves. The ink of one diagram is drawn for any position by the same code as on a sheet.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
 use super::circle;
 use super::feet::told_apart;
@@ -306,12 +306,18 @@ impl<'a> Draughts<'a> {
         &self.construction
     }
 
-    /// The diagrams that were drawn.
+    /// The links that turn, each with whether it is its angular acceleration that is not zero.
     #[must_use]
-    pub fn diagrams(&self) -> Vec<Drawing> {
+    pub fn turning(&self) -> Vec<(LinkId, bool)> {
+        skeleton::turning(&self.construction, &self.notation)
+    }
+
+    /// The diagrams that were drawn, with a curved arrow at each of the links that turn here or are named in `turning`.
+    #[must_use]
+    pub fn diagrams(&self, turning: &[(LinkId, bool)]) -> Vec<Drawing> {
         let (construction, notation) = (&self.construction, &self.notation);
         let births = Births::of(construction, notation.mechanism());
-        let (ink, names, openings) = skeleton::apart(construction, notation, &births);
+        let (ink, names, openings) = skeleton::apart(construction, notation, &births, turning);
         let names = names.into_iter().map(|request| Name { request }).collect();
         let mut all = vec![Drawing {
             kind: DiagramKind::Skeleton,
@@ -792,6 +798,8 @@ const FAR_CHANGE: (f64, f64) = (50.0, 6.0);
 /// A name that would be taken for that of another point costs so much; points nearer to each other than this are one, mm.
 const ASTRAY: f64 = 60.0;
 const SAME: f64 = 0.5;
+/// The number of a link may be nearer to another link than to its own by so much, mm: where these meet it is both's.
+const BESIDE: f64 = 0.3;
 /// A name that stands farther than this from what it names is tied to it by a fine line, mm.
 const TIED: f64 = 2.6;
 /// The line that ties a name ends on this part of its stroke, about the middle: at its ends others begin.
@@ -883,9 +891,22 @@ pub fn along(names: &[Name], frames: &[Frame], course: Course) -> Vec<Vec<Vec2>>
         })
         .collect();
     // The name of a point that stands nearer to another point that has a name would be taken for the other's.
+    // So would the number of a link that stands nearer to another one.
+    let is_number = |n: usize| names[n].request.ring.is_some();
+    let of_another_link = |n: usize, frame: usize, at: Point| {
+        let off = |n: usize| match frames[frame].spots[n] {
+            Some(Spot::Stroke(from, to)) if is_number(n) => {
+                Some(Line::new(from, to).nearest(at, 1e-6).distance_sq.sqrt())
+            }
+            _ => None,
+        };
+        let nearer =
+            |own: f64| (0..names.len()).filter(|m| *m != n).filter_map(off).any(|other| other < own - BESIDE);
+        if off(n).is_some_and(nearer) { ASTRAY } else { 0.0 }
+    };
     let astray = |n: usize, frame: usize, at: Point| {
         let spots = &frames[frame].spots;
-        let Some(Some(Spot::Point(own))) = spots.get(n) else { return 0.0 };
+        let Some(Some(Spot::Point(own))) = spots.get(n) else { return of_another_link(n, frame, at) };
         let off = |point: Point| {
             let way = point - at;
             libm::hypot((way.x.abs() - halves[n].x).max(0.0), (way.y.abs() - halves[n].y).max(0.0))
@@ -929,8 +950,8 @@ pub fn along(names: &[Name], frames: &[Frame], course: Course) -> Vec<Vec<Vec2>>
     ways
 }
 
-/// Where a name that glides would pass through another it goes round that, as fast as it may glide: the cheapest way near its
-/// own, told by steps of a grid off it, and back on its own soon after.
+/// Where a name that glides would pass through another, or along a stroke, it goes round that, as fast as it may glide: the cheapest
+/// way near its own, told by steps of a grid off it, and back on its own soon after.
 fn give_way(
     ways: &mut [Vec<Vec2>],
     halves: &[Vec2],
@@ -975,9 +996,13 @@ fn give_way(
                 (0..halves.len()).filter(|m| *m != n).filter_map(|m| standing(m, f, ways[m][f])).collect()
             })
             .collect();
+        let struck = |f: usize, own: &Standing| {
+            let space = Rect::from_center_size(own.at, (2.0 * own.half.x, 2.0 * own.half.y));
+            ink[f].cost_up_to(space, STRUCK).min(STRUCK)
+        };
         let meets = |f: usize| {
             let own = standing(n, f, ways[n][f]);
-            own.is_some_and(|own| others[f].iter().any(|other| own.meets(other)))
+            own.is_some_and(|own| others[f].iter().any(|other| own.meets(other)) || struck(f, &own) >= STRUCK)
         };
         let met: Vec<usize> = (0..count).filter(|f| meets(*f)).collect();
         if met.is_empty() {
@@ -989,7 +1014,7 @@ fn give_way(
         let price = |f: usize, by: Vec2| {
             let Some(own) = standing(n, f, by) else { return 0.0 };
             let space = Rect::from_center_size(own.at, (2.0 * own.half.x, 2.0 * own.half.y));
-            let struck = ink[f].cost_up_to(space, STRUCK).min(STRUCK);
+            let struck = struck(f, &own);
             let beyond = if shown.contains_rect(space) { 0.0 } else { BEYOND };
             let long = own.tie.map_or(0.0, |(from, to)| TIE * from.distance(to));
             others[f].iter().map(|other| own.beside(other)).sum::<f64>() + struck + beyond + long

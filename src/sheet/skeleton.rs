@@ -162,18 +162,24 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     draw_under(construction, notation, Arrows::All, None, |_, _| Overlay::default())
 }
 
-/// The ink of the skeleton without its names, with the lives of the ink, and the names that are to be placed.
+/// The ink of the skeleton without its names, with the lives of the ink, and the names that are to be placed. `turning`: the links
+/// that have a curved arrow even where they do not turn (it is drawn counterclockwise then), and whether that is of their second
+/// order.
 #[must_use]
 pub fn apart(
     construction: &Construction,
     notation: &Notation<'_>,
     births: &Births<'_>,
+    turning: &[(LinkId, bool)],
 ) -> (Group, Vec<Request>, Vec<Opening>) {
     let mut group = Group::new("skeleton");
     // What moves keeps every point, wherever it lies.
     let mut artist = Artist { births: Some(births), far: Vec::new(), ..Artist::new(construction, notation) };
     artist.links_and_joints(&mut group, true);
-    let known = artist.known_rotations();
+    let mut known = artist.known_rotations();
+    turning.iter().for_each(|own| {
+        known.entry(*own).or_insert(0.0);
+    });
     artist.rotations(&mut group, known, true);
     artist.number_links();
     let openings = artist.openings();
@@ -184,6 +190,12 @@ pub fn apart(
 #[must_use]
 pub fn growing(construction: &Construction, notation: &Notation<'_>, births: &Births<'_>) -> Group {
     draw_under(construction, notation, Arrows::All, Some(births), |_, _| Overlay::default())
+}
+
+/// The links whose ω is known and not zero and, where the second is set, those of which this is so of the angular acceleration.
+#[must_use]
+pub fn turning(construction: &Construction, notation: &Notation<'_>) -> Vec<(LinkId, bool)> {
+    Artist::new(construction, notation).known_rotations().into_keys().collect()
 }
 
 /// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
@@ -930,12 +942,11 @@ impl Artist<'_> {
                     .data("unit", unit.symbol);
             }
             let Turn { centre, radius, middle, half } = arc;
-            let (start, sweep) =
-                if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
+            let sign = if value < 0.0 { -1.0 } else { 1.0 };
+            let (start, sweep) = (middle - sign * half, 2.0 * sign * half);
             arc_arrow(&mut own, centre, radius, start, sweep, THIN);
             if second {
                 // Two barbs tell the angular acceleration from the angular velocity.
-                let sign = value.signum();
                 let back = (HEAD * 0.9) / radius;
                 let angle = start + sweep - sign * back;
                 let tip = on_circle(centre, radius, angle);

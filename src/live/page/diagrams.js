@@ -66,8 +66,10 @@ function showDiagrams(page) {
   for (const [index, box] of boxes.entries()) {
     page.watch.observe(box);
     // Side by side a millimetre is as long in one as in the other.
-    const [left, , right] = panels[index].data.box;
+    const [left, top, right, bottom] = panels[index].data.box;
     box.style.setProperty('--wide', String(Math.round(right - left)));
+    // As wide as its height allows: beside what is shown of its plane nothing is seen.
+    box.style.setProperty('--broad', String((right - left) / (bottom - top)));
   }
 
   /** What stands below each panel, and the scale that it was last told with. */

@@ -134,9 +134,10 @@ function tieOf(/** @type {any} */ { spot: [from, to], half: [wide, high] }, /** 
 }
 
 class Panel {
-  /** @param {any} live @param {number} index */
-  constructor(live, index) {
+  /** @param {any} live @param {number} index @param {Course} course */
+  constructor(live, index, course) {
     this.index = index;
+    this.course = course;
     this.data = live.panels[index];
     this.quantities = live.quantities;
     this.events = live.course.events;
@@ -232,8 +233,13 @@ class Panel {
   /** @param {any} ink @param {(number | null)[]} outputs */
   senseHolds(ink, outputs) {
     if (!ink.sense) return true;
-    const value = outputs[ink.sense[0]];
-    return value !== null && value !== 0 && (value > 0) === ink.sense[1];
+    const value = this.clear(outputs, ink.sense[0]);
+    return value !== 0 && (value > 0) === ink.sense[1];
+  }
+
+  /** A number of the position, zero where it is not known or not told from that. @param {(number | null)[]} outputs @param {number} index */
+  clear(outputs, index) {
+    return outputs[index] ? clearNumber(this.course, outputs, index) : 0;
   }
 
   /** Whether the ink could be moved. @param {any} ink @param {any[]} seen */
@@ -346,7 +352,7 @@ class Panel {
       let a = globalOf(one[0], one[1], seen), b = two ? globalOf(two[0], two[1], seen) : a;
       // Next to a limit a vector is metres long: its name stands by what is seen of it.
       if (isArrow && a && b) [a, b] = partWithin(a, b, this.data.box) || [a, a];
-      let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || outputs[label.output])
+      let shown = a && b && (label.step === null || label.step <= step) && (label.output === undefined || this.clear(outputs, label.output))
         && (two ? !isArrow || sizeOf(minus(b, a)) >= 1 : a.x > x0 && a.x < x1 && a.y > y0 && a.y < y1);
       label.spot = null;
       if (!shown && !two && this.placeFar) {

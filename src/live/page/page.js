@@ -16,7 +16,7 @@ class Page {
     this.course = new Course(live);
     this.track = new Track(this.course);
     /** @type {Panel[]} */
-    this.panels = live.panels.map((/** @type {any} */ _, /** @type {number} */ i) => new Panel(live, i));
+    this.panels = live.panels.map((/** @type {any} */ _, /** @type {number} */ i) => new Panel(live, i, this.course));
     this.calm = window.matchMedia('(prefers-reduced-motion: reduce)');
     /** @type {Part[]} */
     this.parts = [];

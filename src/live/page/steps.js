@@ -9,7 +9,7 @@ const FINER = 1;
 
 /** The sentences of the steps; of one whose words hang on a length all that it may say. @param {any[]} steps */
 function sentencesOf(steps) {
-  return steps.flatMap(({ sentences }) => sentences).flatMap((text) => (text.of ? [text.arrow, text.point, text.unmeasured].filter(Boolean) : [text]));
+  return steps.flatMap(({ sentences }) => sentences).flatMap((text) => (text.of ? [text.arrow, text.point, text.unmeasured].filter(Boolean) : [text.elsewhere || text]));
 }
 
 /** What lines calculate, by its index. @param {any[]} steps */
@@ -25,7 +25,7 @@ function valueOf(text) {
 /** The figures with which steps tell the numbers that begin with an output: of what is read those of its reading. */
 function figuresOf(/** @type {any[]} */ steps) {
   const figures = new Map();
-  for (const text of [...sentencesOf(steps), ...steps.flatMap((said) => said.equations.flat(2))]) {
+  for (const text of [...sentencesOf(steps), ...steps.flatMap((said) => said.equations.flat(2)).map((cell) => cell.elsewhere || cell)]) {
     const numbers = Array.isArray(text) ? text.filter((piece) => typeof piece !== 'string') : [];
     for (const [form, output, si, more, panel] of numbers) {
       const known = figures.get(output);
@@ -100,7 +100,7 @@ function readings(page) {
   /** A text with the numbers of this position; nothing where it is said of the scene's own only. */
   return (/** @type {any} */ any) => {
     isWorded = Boolean(any.of);
-    const text = isWorded ? wordsOf(any) ?? null : any;
+    const text = isWorded ? wordsOf(any) ?? null : (!page.isOwn && any.elsewhere) || any;
     if (typeof text === 'string' || text === null) return text;
     if (!Array.isArray(text)) return page.isOwn ? text.own : null;
     const pieces = text.map((piece) => (typeof piece === 'string' ? piece : numberHere(piece)));
