@@ -213,7 +213,11 @@ pub(super) fn moves_as_it_rolls(sweep: &Sweep, at: f64) -> Result<(), SweepUncon
         let all = quantities.iter().zip(&answers).filter(|(quantity, _)| of_point(quantity) == of_points);
         all.filter_map(|(_, answer)| *answer).map(|([x, y], _)| libm::hypot(x, y)).fold(0.0, f64::max)
     };
-    let fastest = [fastest(false), fastest(true)];
+    let [turning, moving] = [false, true].map(fastest);
+    // A wheel that stands still for a moment turns by what its points are off.
+    let size = size_of(&skeleton);
+    let by_points = if size > 0.0 { moving / size } else { 0.0 };
+    let fastest = [turning.max(by_points), moving];
     for ((swept, quantity), answer) in rates.iter().zip(&answers) {
         let Some((value, bound)) = answer else { continue };
         let apart = libm::hypot(swept[0] - value[0], swept[1] - value[1]);
@@ -273,6 +277,25 @@ mod tests {
         assert!(sweep.is_carried_along());
         assert!(confirm_sweep(&sweep).is_ok_and(|positions| positions > 4), "{:?}", confirm_sweep(&sweep));
         assert!(is_astray(&sweep.beside(other_radii)));
+    }
+
+    /// Its only wheel stands still where crank and rod lie in one line, which rounding does not tell from turning a little.
+    #[test]
+    fn a_wheel_that_stands_still_is_confirmed() {
+        for own in [0, 65, 90] {
+            let text = r#"{ "units": { "length": "cm" }, "fixed": { "O": [0, 0] },
+                "links": { "2": { "joins": ["O", "A"], "length": 5 }, "3": { "joins": ["A", "C"], "length": 18 },
+                           "4": { "joins": ["C"] } },
+                "rolls": [{ "links": [1, 4], "line": { "link": 1, "through": [0, -4], "angle": 0 }, "centre": "C", "radius": 4 }],
+                "near": { "C": [20, 0] }, "input": { "link": 2, "angle": OWN, "omega": "120 rpm ccw" },
+                "find": ["v(C)", "omega(4)", "a(C)", "alpha(4)", "x(C)", "x(A)"] }"#;
+            let sweep = swept(&text.replace("OWN", &own.to_string()));
+            for at in [0.0, std::f64::consts::PI] {
+                let still = super::moves_as_it_rolls(&sweep, at);
+                assert!(still.is_ok(), "from {own} at {at}: {still:?}");
+            }
+            assert!(confirm_sweep(&sweep).is_ok(), "from {own}: {:?}", confirm_sweep(&sweep));
+        }
     }
 
     /// A four-bar linkage without wheels, whose crank goes round.
