@@ -500,7 +500,7 @@ fn sine_for_cosine_of_a_load_is_named() {
         // r₄ × F₃₄ = −(5/8 r₄) × Q and r₃ × F₃₄ = c × P.
         let moments = [-cross(times(rocker, 0.625), q), cross(c, p)];
         let det = cross(rocker, three);
-        let f34 = [0, 1].map(|axis| (moments[1] * rocker[axis] - moments[0] * three[axis]) / det);
+        let f34 = [0, 1].map(|axis| (moments[0] * three[axis] - moments[1] * rocker[axis]) / det);
         let f23 = minus(f34, p);
         report(
             &scene,

@@ -173,8 +173,7 @@ pub fn grade_with_overlay(
         .map(|(place, graded)| {
             let fault = FirstFault { step: graded.step, name: &graded.name, mistakes: &graded.mistakes };
             let told = if place == 0 { say!("First fault, {}", fault.text()) } else { fault.text() };
-            // A caption has no raised and lowered letters.
-            report.says(&told).replace('_', "")
+            report.says(&told)
         })
         .collect();
     let faults: Vec<crate::sheet::Fault<'_>> = judgement

@@ -135,7 +135,7 @@ pub fn overlay(
                 circle(&mut panel, within(page(at), ink), several.then_some(*number));
             }
         }
-        blocks.push(captioned(panel, &on_skeleton, several));
+        blocks.push(captioned(panel, (&on_skeleton, None), several));
     }
     for polygon in &right.diagrams {
         let drawn = student.diagram(polygon.kind);
@@ -175,16 +175,20 @@ pub fn overlay(
             own.vectors.iter().any(handed_in) || !image_of(*head).is_some_and(elsewhere)
         });
         let here = told(&|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
-        // What stands metres away would leave nothing else to be seen.
-        arrows.retain(|(from, to, ..)| [from, to].into_iter().all(|at| libm::hypot(at[0], at[1]) <= reach));
+        // What stands metres away would leave nothing else to be seen: it is drawn as far as the border.
+        let is_beyond = |at: Mm2| libm::hypot(at[0], at[1]) > reach;
+        let beyond = arrows.iter().any(|(from, to, ..)| is_beyond(*from) || is_beyond(*to));
+        arrows.retain(|(from, ..)| !is_beyond(*from));
+        arrows.iter_mut().for_each(|(from, to, ..)| *to = as_far_as(reach, *from, *to));
         draw_arrows(&mut panel, &arrows, polygon.kind, &notation);
         for (number, fault) in &here {
             let Spot::In(_, at) = fault.at else { continue };
             let far = libm::hypot(at[0], at[1]);
-            let centre = page(if far > reach { at.map(|mm| mm * extent / far) } else { at });
+            let centre = page(if far > reach { at.map(|mm| mm * reach / far) } else { at });
             circle(&mut panel, centre, several.then_some(*number));
         }
-        blocks.push(captioned(panel, &here, several));
+        let note = beyond.then_some(words.overlay_beyond);
+        blocks.push(captioned(panel, (&here, note), several));
     }
     for (index, body) in balance.iter().flat_map(|balance| balance.bodies.iter().enumerate()) {
         let of = |force: usize| own.forces.get(force).is_some_and(|force| force.body == index);
@@ -193,7 +197,7 @@ pub fn overlay(
             let numbered = |(number, fault): &(usize, &Fault<'_>)| (fault.at, several.then_some(*number));
             let numbered: Vec<(Spot, Option<usize>)> = here.iter().map(numbered).collect();
             let panel = force_polygon(body, (index, &own.forces), &numbered, &notation);
-            blocks.push(captioned(entitled(panel, of_body(body, &notation)), &here, several));
+            blocks.push(captioned(entitled(panel, of_body(body, &notation)), (&here, None), several));
         }
     }
     let (mut root, y) = arranged(blocks);
@@ -201,22 +205,45 @@ pub fn overlay(
         legend(&mut root, y, !faults.is_empty(), words);
     }
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
-    let texts: Vec<&str> = faults.iter().map(|fault| fault.text).collect();
+    // What is read out has no lowered letters.
+    let texts: Vec<String> = faults.iter().map(|fault| fault.text.replace('_', "")).collect();
     let title = format!("{title}: {}", words.overlay);
     (y > 0.0).then(|| localised(cut(root, title, texts.join(words.semicolon), words), scene))
 }
 
-/// A panel with what is said of its faults below it, how wide and how high it is.
-fn captioned(mut panel: Group, faults: &[(usize, &Fault<'_>)], several: bool) -> (Group, f64, f64) {
+/// The head of an arrow that begins so near to the pole, on its way to where it would leave the figure.
+fn as_far_as(reach: f64, from: Mm2, to: Mm2) -> Mm2 {
+    if libm::hypot(to[0], to[1]) <= reach {
+        return to;
+    }
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let [square, along, rest] = [
+        way[0] * way[0] + way[1] * way[1],
+        way[0] * from[0] + way[1] * from[1],
+        from[0] * from[0] + from[1] * from[1] - reach * reach,
+    ];
+    let part = (libm::sqrt(along * along - square * rest) - along) / square;
+    [0, 1].map(|axis| from[axis] + part * way[axis])
+}
+
+/// A panel with what is said of its faults below it, and of the whole of it, how wide and how high it is.
+fn captioned(
+    mut panel: Group,
+    (faults, note): (&[(usize, &Fault<'_>)], Option<&str>),
+    several: bool,
+) -> (Group, f64, f64) {
     let ink = panel.bounds().unwrap_or(Rect::ZERO);
     panel.translate(Vec2::new(-ink.x0, -ink.y0));
     let mut block = Group::new("block");
     block.group(panel);
     let (width, mut y) = (ink.width(), ink.height() + BLANK);
     let mut widest = width;
-    for (number, fault) in faults {
-        let text = if several { format!("{number}. {}", fault.text) } else { fault.text.to_owned() };
-        for line in Rich::upright(text).wrap(SMALL, width.max(NARROWEST)) {
+    let faults = faults.iter().map(|(number, fault)| match several {
+        true => format!("{number}. {}", fault.text),
+        false => fault.text.to_owned(),
+    });
+    for text in note.map(str::to_owned).into_iter().chain(faults) {
+        for line in lowered(&text).wrap(SMALL, width.max(NARROWEST)) {
             widest = widest.max(line.width(SMALL));
             line.set(SMALL).put(&mut block, Point::new(0.0, y), "caption");
             y += LINE;
@@ -224,6 +251,17 @@ fn captioned(mut panel: Group, faults: &[(usize, &Fault<'_>)], several: bool) ->
         y += BLANK - LINE;
     }
     (block, widest, y)
+}
+
+/// A text whose symbols are written as plain characters, V_B, with their indices lowered.
+fn lowered(text: &str) -> Rich {
+    let mut pieces = text.split('_');
+    let first = Rich::upright(pieces.next().unwrap_or_default());
+    pieces.fold(first, |rich, piece| {
+        let end = piece.find(|c: char| !c.is_alphanumeric() && c != '′').unwrap_or(piece.len());
+        let (index, after) = piece.split_at(end);
+        rich.sub(index).up(after)
+    })
 }
 
 /// The circle about a fault, with its number where there are several.

@@ -564,6 +564,8 @@ pub struct Words {
     pub overlay: &'static str,
     pub overlay_right: &'static str,
     pub overlay_yours: &'static str,
+    /// Below a polygon of which something of the student's lies beyond the figure.
+    pub overlay_beyond: &'static str,
     pub overlay_fault: &'static str,
     pub count_rotations: &'static str,
     /// Of a fixed `{point}` at the origin, and of one with its `{x}` and `{y}`.
@@ -1029,6 +1031,7 @@ const ENGLISH: Words = Words {
     overlay: "overlay",
     overlay_right: "right",
     overlay_yours: "yours, letters with *",
+    overlay_beyond: "What of yours leaves this figure is drawn to its border.",
     overlay_fault: "where a fault shows",
     count_rotations: "rotations and torques counter-clockwise positive",
     count_places: "coordinates of places from {point}, x to the right and y upward",
@@ -1494,6 +1497,7 @@ const ARABIC: Words = Words {
     overlay: "مقارنة",
     overlay_right: "الصحيح",
     overlay_yours: "رسمك، والأحرف مع *",
+    overlay_beyond: "ما يخرج من رسمك عن هذا الشكل مرسوم حتى حده.",
     overlay_fault: "موضع الخطأ",
     count_rotations: "الدوران والعزم موجبان بعكس عقارب الساعة",
     count_places: "إحداثيات المواضع من {point}: x نحو اليمين و y نحو الأعلى",
@@ -2007,6 +2011,7 @@ const PERSIAN: Words = Words {
     overlay: "مقایسه",
     overlay_right: "درست",
     overlay_yours: "رسم شما، حروف با *",
+    overlay_beyond: "آنچه از رسم شما از این شکل بیرون می‌رود تا مرز آن کشیده شده است.",
     overlay_fault: "جای اشتباه",
     count_rotations: "چرخش‌ها و گشتاورها پادساعتگرد مثبت‌اند",
     count_places: "مختصات مکان‌ها از {point}: x به راست و y به بالا",
