@@ -168,6 +168,10 @@ fn every_measured_arm_is_dimensioned_beside_the_links() {
         for line in told(&figure).iter().filter(|line| line.starts_with("Measured: x_")) {
             for part in line.trim_start_matches("Measured: ").split(", ") {
                 let name = part.split(' ').next().unwrap().replace('_', "");
+                // Lengths from point to point have their letters.
+                if !name.starts_with('x') {
+                    continue;
+                }
                 assert!(
                     names.iter().any(|own| own.split(['≈', '=', ' ']).any(|own| own == name)),
                     "{name}: {names:?}"
@@ -293,10 +297,10 @@ fn lines_of_the_lever_close_and_end_with_a_sense() {
         for line in lines.iter().filter(|line| line.contains("· y_") && line.contains(" W ")) {
             let mut parts = line.split(" = ").skip(1);
             let (factors, result) = (parts.next().unwrap(), parts.next().unwrap());
-            let (shown, ..) = number(result).unwrap();
+            let result: String = result.split(" W").next().unwrap().replace(' ', "");
+            let (shown, ..) = number(&result).unwrap();
             // To the last figure that stands there.
-            let digits = result.split(' ').next().unwrap();
-            let place = digits.split_once('.').map_or(1.0, |(_, after)| libm::exp10(-(after.len() as f64)));
+            let place = result.split_once('.').map_or(1.0, |(_, after)| libm::exp10(-(after.len() as f64)));
             let off = (reckoned(factors).unwrap() - shown).abs();
             assert!(off <= 0.5 * place * (1.0 + 1e-6) || off <= 0.5e-4 * shown, "{line}: {off}");
             products += 1;
@@ -332,15 +336,13 @@ fn a_crossing_has_not_the_name_of_a_crank_s_angle() {
     scene["cycle"] = serde_json::json!({ "torque": { "of": link }, "fluctuation": 0.02 });
     scene["find"] = serde_json::json!(["T(2)", "crossing(1)", "crossing(2)", "Ef"]);
     let figure = drawn(&common::read(&scene.to_string()), &[]);
-    let mut angle_of_crank = 0;
+    let mut names = Vec::new();
     for table in within(&figure.root).into_iter().filter(|group| has(group, "results")) {
         for row in rows_of(table) {
-            angle_of_crank += usize::from(characters(row[0]).replace('_', "") == "θ2");
+            names.push(characters(row[0]).replace('_', ""));
         }
     }
-    assert_eq!(angle_of_crank, 0);
-    let all = told(&figure).join("\n").replace('_', "");
-    assert!(all.contains("θm2 ="), "{all}");
+    assert!(names.iter().all(|name| name != "θ2") && names.iter().any(|name| name == "θm2"), "{names:?}");
 }
 
 /// In a dead position of a governor several divisors vanish at once: it is one, and told once.
@@ -382,6 +384,7 @@ fn torques_follow_from_the_angle_that_is_printed() {
     let lines = told(&drawn(&scene, &[]));
     let angle = lines
         .iter()
+        .filter(|line| line.contains("α_max"))
         .find_map(|line| line.rsplit_once("= 0: ")?.1.rsplit_once("= ").map(|(_, a)| a.to_owned()));
     let angle = number(&angle.unwrap()).unwrap().0.to_radians();
     let torque = 5000.0 + 1500.0 * libm::sin(2.0 * angle) - 600.0 * libm::cos(angle);

@@ -24,6 +24,13 @@ pub fn number_told(told: f64, exact: f64) -> Rich {
     computed(told, usual_figures(told)).0
 }
 
+/// Whether what [`number_told`] writes is another number than the exact one, in the figures that stand there.
+pub fn is_off(told: f64, exact: f64) -> bool {
+    let digits = without_a_tie(told, usual_figures(told));
+    let written = computed(told, usual_figures(told)).1;
+    (written - exact).abs() > 0.5 * (1.0 + 1e-6) * unit_in_the_last(written, digits)
+}
+
 /// A number with so many figures, or one more where it needs it, and the number that then stands there.
 fn computed(value: f64, digits: usize) -> (Rich, f64) {
     let digits = without_a_tie(value, digits);

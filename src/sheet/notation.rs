@@ -518,17 +518,26 @@ impl<'a> Notation<'a> {
             Reference::Points(a, b) => self.length(a, b),
             Reference::Guide(slide) => self.guide_line(slide).unwrap_or_else(|| self.guide(slide)),
         };
-        // Nothing is parallel to an arc.
-        let on_arc = |slide: usize| {
-            let own = self.mechanism().slides.get(slide);
-            own.is_some_and(|own| matches!(own.guide.path, Path::Arc { .. }))
-        };
-        match claim {
-            Claim::Parallel(Reference::Guide(slide)) if on_arc(slide) => {
-                Rich::fill(self.words.tangent_to, &[("guide", line)])
-            }
-            _ => Rich::upright(sign).then(&line),
+        match self.is_tangent(claim) {
+            true => Rich::fill(self.words.tangent_to, &[("guide", line)]),
+            false => Rich::upright(sign).then(&line),
         }
+    }
+
+    /// The same in a table of terms, where little room is.
+    #[must_use]
+    pub fn claim_in_table(&self, claim: Claim) -> Rich {
+        match self.is_tangent(claim) {
+            true => Rich::upright(self.words.tangent),
+            false => self.claim(claim),
+        }
+    }
+
+    /// Whether what is claimed runs along an arc: nothing is parallel to that.
+    fn is_tangent(&self, claim: Claim) -> bool {
+        let Claim::Parallel(Reference::Guide(slide)) = claim else { return false };
+        let own = self.mechanism().slides.get(slide);
+        own.is_some_and(|own| matches!(own.guide.path, Path::Arc { .. }))
     }
 
     /// A claim as a data attribute: its name, and the line by its points or its guide.

@@ -431,7 +431,7 @@ impl Figures {
     pub(super) fn is_off(&self, key: Key, si: f64, unit: &Unit) -> bool {
         let Some(print) = self.printed.get(&key) else { return false };
         let [told, own] = [print.number * print.unit.si / unit.si, si.abs() / unit.si];
-        human::number_told(told, own) != human::number(own)
+        human::is_off(told, own)
     }
 
     /// Whether a number is printed already.

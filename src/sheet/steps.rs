@@ -704,7 +704,7 @@ impl Teller<'_> {
         };
         let direction = match term.direction {
             Some(TermDirection::Found) => self.by_angle(term.quantity).unwrap_or_else(Rich::tick),
-            Some(TermDirection::Claim(claim)) => self.notation.claim(claim),
+            Some(TermDirection::Claim(claim)) => self.notation.claim_in_table(claim),
             None => unknown(),
         };
         (magnitude, direction)

@@ -247,6 +247,8 @@ pub struct Words {
     pub tangent_guide: &'static str,
     /// The direction of what runs along an arc: `{guide}`.
     pub tangent_to: &'static str,
+    /// The same in the table of terms.
+    pub tangent: &'static str,
     pub beside_guide: &'static str,
     pub shift_guide: &'static str,
     pub beyond: &'static str,
@@ -730,6 +732,7 @@ const ENGLISH: Words = Words {
     draw_guide_along: "Draw the {guide} along {line}.",
     draw_guide_parallel: "Draw the {guide} parallel to {line}, {offset} ({mm}) {side}.",
     arc_is_guide: "It is the {guide}.",
+    tangent: "tangent",
     tangent_to: "tangent to the {guide}",
     tangent_guide: "About {centre} strike a circle with the radius {value} ({mm}). The tangent to it through {point} is the {guide}.",
     beside_guide: "Draw the parallel to it at the distance {value} ({mm}): {point} lies on it.",
@@ -1197,6 +1200,7 @@ const ARABIC: Words = Words {
     draw_guide_along: "نرسم {guide} على امتداد {line}.",
     draw_guide_parallel: "نرسم {guide} موازيا {line}، {side} بمسافة {offset} ({mm}).",
     arc_is_guide: "وهو {guide}.",
+    tangent: "مماس",
     tangent_to: "مماس ل{guide}",
     tangent_guide: "من المركز {centre} نرسم دائرة نصف قطرها {value} ({mm})، ومماسها من {point} هو {guide}.",
     beside_guide: "نرسم الموازي له على بعد {value} ({mm}) وتقع عليه {point}.",
@@ -1711,6 +1715,7 @@ const PERSIAN: Words = Words {
     draw_guide_along: "{guide} را در امتداد {line} رسم می‌کنیم.",
     draw_guide_parallel: "{guide} را موازی {line}، {offset} ({mm}) {side} رسم می‌کنیم.",
     arc_is_guide: "این کمان {guide} است.",
+    tangent: "مماس",
     tangent_to: "مماس بر {guide}",
     tangent_guide: "به مرکز {centre} دایره‌ای به شعاع {value} ({mm}) می‌زنیم؛ مماس بر آن از {point} همان {guide} است.",
     beside_guide: "موازی آن را به فاصلهٔ {value} ({mm}) رسم می‌کنیم: {point} روی آن است.",
