@@ -368,7 +368,12 @@ fn a_leap_is_extreme_on_its_higher_side() {
             .filter(|event| {
                 [0.0, std::f64::consts::TAU].iter().any(|turn| (event.at - dead - turn).abs() < 1e-5)
             })
-            .filter(|event| matches!(event.kind, EventKind::Least { .. } | EventKind::Greatest { .. }))
+            .filter(|event| {
+                matches!(
+                    event.kind,
+                    EventKind::Least { column: 0, .. } | EventKind::Greatest { column: 0, .. }
+                )
+            })
             .collect();
         let [EventKind::Greatest { value, .. }] =
             there.iter().map(|event| event.kind).collect::<Vec<_>>()[..]

@@ -151,10 +151,11 @@ fn read_with(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64
 pub fn reading_exactly(mm: f64, factor: f64, more: usize) -> Option<(Rich, Rich, f64)> {
     const MOST: usize = 5;
     // A short length has as many figures more as a long one.
-    let figures_wanted = 3 + more as i32;
-    let of_short = figures_wanted - 1 - libm::floor(libm::log10(mm)) as i32;
-    let decimals = if more == 0 { 1 } else { (1 + more).max(of_short.max(0) as usize) };
-    let decimals = decimals.min(finest(mm));
+    let finest = finest(mm);
+    let of_short = (2 + more) as f64 - libm::floor(libm::log10(mm));
+    // Written so that a length of nothing is read as finely as one is read.
+    let short = (1 + more..finest).find(|decimals| *decimals as f64 >= of_short).unwrap_or(finest);
+    let decimals = if more == 0 { 1 } else { short };
     let read = at_decimals(mm, decimals);
     let product = read * factor;
     let written: f64 = format!("{product:.*e}", MOST - 1).parse().ok()?;
