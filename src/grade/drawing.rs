@@ -195,12 +195,15 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Drawing> {
 /// A mark, and the other letter that names it too, where there is one.
 type Named = (Point, Option<String>);
 
+/// A letter whose mark nobody can tell, and why.
+type Open = (Letter, Fault);
+
 /// The letters with their marks, and those whose mark nobody can tell.
 fn matched(
     letters: Vec<Letter>,
     marks: &[Mark],
     leaders: &[[Point; 2]],
-) -> (Vec<(Letter, Named)>, Vec<(Letter, Fault)>) {
+) -> (Vec<(Letter, Named)>, Vec<Open>) {
     let places: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
     let nearest = Nearest::new(&places);
     // In heights of the letter, the nearest first.
@@ -227,7 +230,7 @@ fn matched(
         claims.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         claims
     };
-    let mut open: Vec<(Letter, Fault)> = Vec::new();
+    let mut open: Vec<Open> = Vec::new();
     let (mut near, mut costs): (Vec<Letter>, Vec<Vec<(usize, f64)>>) = (Vec::new(), Vec::new());
     // The same letter twice beside one mark is written twice, and names one point.
     let mut kept: HashSet<(u8, Vec<String>, usize)> = HashSet::new();
