@@ -359,8 +359,14 @@ fn a_leap_is_extreme_on_its_higher_side() {
         "near": { "B": [350, 0] }, "input": { "link": 2, "angle": 50, "omega": "10 rad/s ccw" },
         "loads": [{ "name": "P", "on": 4, "at": "B", "force": 1000, "direction": 180 },
                   { "name": "W", "on": 4, "at": "B", "force": 400, "direction": -90 }],
-        "find": ["F(3,4)"] }"#;
+        "find": ["F(3,4)", "T(2)"] }"#;
     let sweep = linkgram::sweep::Sweep::new(&read(text).mechanism, None).unwrap();
+    // Where the block stands no torque is needed, whichever way friction acts: T ω = S v. It does not leap, and is not extreme.
+    let torque = sweep.columns.iter().position(|column| column.asked.name == "T(2)").unwrap();
+    assert_eq!(sweep.reversals.len(), 2);
+    for reversal in &sweep.reversals {
+        assert!(reversal.leaps(0, true) && !reversal.leaps(torque, false), "{reversal:?}");
+    }
     for dead in [0.0, std::f64::consts::PI] {
         let there: Vec<_> = sweep
             .events
@@ -368,11 +374,11 @@ fn a_leap_is_extreme_on_its_higher_side() {
             .filter(|event| {
                 [0.0, std::f64::consts::TAU].iter().any(|turn| (event.at - dead - turn).abs() < 1e-5)
             })
-            .filter(|event| {
-                matches!(
-                    event.kind,
-                    EventKind::Least { column: 0, .. } | EventKind::Greatest { column: 0, .. }
-                )
+            .filter(|event| match event.kind {
+                EventKind::Least { column, .. } | EventKind::Greatest { column, .. } => {
+                    column == 0 || column == torque
+                }
+                _ => false,
             })
             .collect();
         let [EventKind::Greatest { value, .. }] =

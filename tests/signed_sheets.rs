@@ -12,6 +12,7 @@ use linkgram::sheet::figure::{Figure, Group, Node, Shape};
 use linkgram::sweep::{EventKind, Sweep};
 
 use crate::common;
+use crate::common::plane::{Xy, cross, dot, long, minus, plus, times, unit};
 use crate::legibility::{characters, data, has, marks, number, reckoned, rows_of, sentences, within};
 
 fn drawn(scene: &Scene, figures: &[&str]) -> Figure {
@@ -422,7 +423,33 @@ fn a_centre_off_the_sheet_is_so_far_from_the_tip() {
         "near": { "B": [110, 58] }, "input": { "link": 2, "angle": 82, "omega": 5 },
         "find": ["I(1,3)", "I(2,4)"] }"#,
     );
+    let (a, pivot) = (times(unit(82_f64.to_radians()), 60.0), [100.0, 0.0]);
+    let base = minus(pivot, a);
+    let along = (98.0_f64.powi(2) - 60.0_f64.powi(2) + dot(base, base)) / (2.0 * long(base));
+    let d = times(base, 1.0 / long(base));
+    let off = libm::sqrt(98.0_f64.powi(2) - along * along);
+    let b = plus(a, plus(times(d, along), [-off * d[1], off * d[0]]));
+    assert!(long(minus(b, [110.0, 58.0])) < 10.0, "{b:?}");
+    // Where two lines meet, each through a point and along a direction.
+    let meet = |p: Xy, u: Xy, q: Xy, v: Xy| plus(p, times(u, cross(minus(q, p), v) / cross(u, v)));
+    let centres = [
+        ("(13)", meet([0.0; 2], a, pivot, minus(b, pivot))),
+        ("(24)", meet([0.0; 2], pivot, a, minus(b, a))),
+    ];
     let figure = drawn(&scene, &["centres"]);
+    let joint = |name: &str| {
+        let within = within(&figure.root);
+        let joint = within.iter().find(|group| has(group, "joint") && data(group, "point") == Some(name));
+        let centre = marks(joint.unwrap()).find_map(|mark| match mark.shape {
+            Shape::Circle { centre, .. } => Some(centre),
+            _ => None,
+        });
+        centre.unwrap()
+    };
+    let (origin, scale) = (joint("O2"), joint("O2").distance(joint("O4")) / 100.0);
+    let on_page = |[x, y]: Xy| Point::new(origin.x + scale * x, origin.y - scale * y);
+    let ends: Vec<Point> =
+        within(&figure.root).into_iter().flat_map(lines).flat_map(|(from, to)| [from, to]).collect();
     let mut seen = 0;
     for group in within(&figure.root) {
         for node in &group.children {
@@ -430,7 +457,13 @@ fn a_centre_off_the_sheet_is_so_far_from_the_tip() {
             let words = characters(text).replace('\u{a0}', " ");
             if text.class == "label centre-name" && (words.contains(" mm") || words.contains(" m")) {
                 seen += 1;
-                assert!(words.contains(" to ("), "{words}");
+                let (distance, half, rest) = number(&words).unwrap();
+                let of = rest.split_once(" mm to ").unwrap_or_else(|| panic!("{words}")).1;
+                let centre = centres.iter().find(|(name, _)| *name == of).unwrap().1;
+                let from = |tip: &&Point| {
+                    (tip.distance(on_page(centre)) / scale - distance).abs() <= half * (1.0 + 1e-6)
+                };
+                assert!(ends.iter().any(|tip| from(&tip)), "{words}: {centre:?}");
             }
         }
     }

@@ -13,7 +13,9 @@ use linkgram::sheet::figure::{Figure, Group, Node, Shape};
 use linkgram::sheet::{self, Language};
 
 use crate::common;
+use crate::common::plane::{long, minus, plus, times, unit};
 use crate::legibility::{characters, has, number, sentences, within};
+use crate::third_examiner::{left, resolve};
 
 fn plain(text: &str) -> String {
     text.replace(['\u{a0}', '\u{2009}'], " ")
@@ -124,37 +126,28 @@ fn the_centre_of_an_arc_says_in_whose_axes_it_lies() {
     assert!(all.contains("arc about (90; 120) mm from O4, x along O4B, radius 120 mm"), "{all}");
 }
 
+/// A number with its sense: clockwise is negative.
+fn signed(text: &str) -> Option<(f64, f64)> {
+    let (value, half, rest) = number(text)?;
+    let is_cw = rest.split_whitespace().any(|word| word.trim_end_matches(['.', ',', ';', ':']) == "cw");
+    Some((if is_cw { -value } else { value }, half))
+}
+
 /// First trial, second trial and what is read of both give the rate that is printed.
 #[test]
 fn a_proportion_comes_out_as_it_is_printed() {
     let mut compared = 0;
     for (name, scene) in common::scenes() {
-        let Ok(solved) = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        else {
-            continue;
-        };
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene);
+        let Ok(solved) = solved else { continue };
         let lines = told(&sheet::solution(&scene, &solved.solution.construction, Language::English));
         let mut tried: Option<[f64; 2]> = None;
         for line in &lines {
-            let signed = |text: &str| {
-                let (value, half, rest) = number(text)?;
-                let sign = if rest
-                    .split_whitespace()
-                    .any(|word| word.trim_end_matches(['.', ',', ';', ':']) == "cw")
-                {
-                    -1.0
-                } else {
-                    1.0
-                };
-                Some((sign * value, half))
-            };
+            // Draw two trial polygons: with ω = 0.7 … and with ω = 1.5 …. The sought image lies …
             if let Some((first, second)) = line.split_once(" and with ") {
-                let value = |text: &str| {
-                    text.rsplit_once(" = ")
-                        .and_then(|(_, value)| signed(value.split('.').next().map(|_| value)?))
-                };
-                let second = second.split_once(". ").map_or(second, |(own, _)| own);
-                if let (Some((a, _)), Some((b, _))) = (value(first), value(second)) {
+                let second = second.split(". ").next().unwrap();
+                let value = |text: &str| Some(signed(text.rsplit_once(" = ")?.1)?.0);
+                if let (Some(a), Some(b)) = (value(first), value(second)) {
                     tried = Some([a, b]);
                 }
             }
@@ -163,9 +156,9 @@ fn a_proportion_comes_out_as_it_is_printed() {
             };
             let lengths: Vec<f64> =
                 read.split(" = ").skip(1).filter_map(|part| number(part).map(|(mm, ..)| mm)).collect();
-            let Some((_, rate)) = rate.split_once(" = ") else { continue };
-            let rate = rate.split(';').next().unwrap();
+            let rate = rate.split_once(" = ").unwrap().1.split(';').next().unwrap();
             let (&[part, whole], Some((value, half))) = (&lengths[..], signed(rate)) else { continue };
+            // The image may lie on either side of the first trial's.
             let either = [1.0, -1.0].map(|ahead| a + (b - a) * ahead * part / whole);
             compared += 1;
             assert!(
@@ -177,7 +170,8 @@ fn a_proportion_comes_out_as_it_is_printed() {
     assert!(compared > 2, "{compared}");
 }
 
-/// An inflection circle that no paper holds is shown as far as one does, and what lies beyond is named where its lines end.
+/// An inflection circle that no paper holds is shown as far as one does, and what lies beyond is named where its lines end, with
+/// its distance: of W from the pole a_P/ω², a_P being the acceleration of the coupler's point at the pole.
 #[test]
 fn what_lies_beyond_a_construction_is_named() {
     let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [75, 2] },
@@ -185,38 +179,58 @@ fn what_lies_beyond_a_construction_is_named() {
                    "4": { "joins": ["O4", "B"], "length": 84 } },
         "near": { "B": [114.22, -72.28] }, "input": { "link": 2, "angle": 272, "omega": "26 rad/s ccw" },
         "find": ["omega(3)", "alpha(3)"], "sheet": { "figures": ["inflection(3)"] } }"#;
+    let (pivot, omega) = ([75.0, 2.0], 26.0);
+    let a = times(unit(272_f64.to_radians()), 35.0);
+    let base = minus(pivot, a);
+    let (far, d) = (long(base), times(base, 1.0 / long(base)));
+    let along = (119.0_f64.powi(2) - 84.0_f64.powi(2) + far * far) / (2.0 * far);
+    let b = plus(a, plus(times(d, along), times(left(d), -(119.0_f64.powi(2) - along * along).sqrt())));
+    assert!(long(minus(b, [114.22, -72.28])) < 0.1, "{b:?}");
+    let (ab, ob) = (minus(b, a), minus(b, pivot));
+    let across = [left(ab), times(left(ob), -1.0)];
+    let [rod, rocker] = resolve(times(left(a), -omega), across);
+    let normals = plus(times(a, omega * omega), plus(times(ab, rod * rod), times(ob, -rocker * rocker)));
+    let [alpha, _] = resolve(normals, across);
+    let [on_crank, _] = resolve(pivot, [a, times(ob, -1.0)]);
+    let arm = minus(times(a, on_crank), a);
+    let of_pole = plus(times(a, -omega * omega), plus(times(left(arm), alpha), times(arm, -rod * rod)));
+    let diameter = long(of_pole) / (rod * rod);
+
     let scene = common::read(text);
     let wish = Wish { figures: vec!["inflection(3)".to_owned()], ..Wish::default() };
     let figure = drawing::figure(&scene, &wish).unwrap_or_else(|why| panic!("{}", why.told(&scene)));
-    let names: Vec<String> = within(&figure.root)
-        .into_iter()
-        .filter(|group| has(group, "auxiliary"))
-        .flat_map(|group| within(group).into_iter().flat_map(texts))
-        .collect();
     let mut all: Vec<String> = Vec::new();
     figure.root.walk(&mut |node| {
         if let Node::Text(text) = node {
             all.push(plain(&characters(text)));
         }
     });
-    assert!(all.iter().any(|name| name == "(13)"), "{names:?} {all:?}");
-    // By hand: the pole where O₂A and O₄B meet, and the pole's distance from the inflection pole.
-    let far = all.iter().find_map(|name| number(name.strip_prefix("W ")?));
-    assert!(far.is_some_and(|(far, ..)| far > 500.0), "{all:?}");
+    assert!(all.iter().any(|name| name == "(13)"), "{all:?}");
+    let told = |name: &String| {
+        let (value, half, _) = number(name.strip_prefix("W ")?)?;
+        Some((value - diameter).abs() <= half * (1.0 + 1e-6))
+    };
+    assert!(all.iter().filter_map(told).any(|is_it| is_it), "{diameter}: {all:?}");
 }
 
-/// In Klein's construction every vector that is read is drawn from end to end.
+/// In Klein's construction the acceleration of the slider's pin against the crank's is drawn from end to end: |a_BA|/ω² of the
+/// crank, by the scale of the skeleton.
 #[test]
 fn what_is_read_in_kleins_construction_is_drawn() {
+    let (crank, rod, low) = (50.0, 130.0, -15.0);
+    let (omega, alpha) = (10.0 * std::f64::consts::PI, 500.0);
+    let a = times(unit(55_f64.to_radians()), crank);
+    let ab = [(rod * rod - (low - a[1]).powi(2)).sqrt(), low - a[1]];
+    let va = times(left(a), omega);
+    let aa = plus(times(left(a), alpha), times(a, -omega * omega));
+    // Nothing of B moves upward.
+    let turning = -va[1] / left(ab)[1];
+    let gathering = -(aa[1] - turning * turning * ab[1]) / left(ab)[1];
+    let relative = plus(times(left(ab), gathering), times(ab, -turning * turning));
+
     let scene = common::example("constructions/klein");
     let wish = Wish { figures: vec!["klein".to_owned()], ..Wish::default() };
     let figure = drawing::figure(&scene, &wish).unwrap_or_else(|why| panic!("{}", why.told(&scene)));
-    // b′a′ is read as 13.365 mm on this figure at 1 : 2.
-    let read = told(&figure).into_iter().find_map(|line| {
-        let (_, value) = line.split_once("a^′: ").or_else(|| line.split_once("a′: "))?;
-        number(value).map(|(mm, ..)| mm)
-    });
-    let read = read.unwrap_or_else(|| panic!("{:?}", told(&figure)));
     let mut drawn = Vec::new();
     figure.root.walk(&mut |node| {
         if let Node::Mark(mark) = node
@@ -225,7 +239,9 @@ fn what_is_read_in_kleins_construction_is_drawn() {
             drawn.push(from.distance(to));
         }
     });
-    assert!(drawn.iter().any(|mm| (mm - read).abs() < 0.01), "{read}: {drawn:?}");
+    // The figure stands at 1 : 2.
+    let length = long(relative) / (omega * omega) / 2.0;
+    assert!(drawn.iter().any(|mm| (mm - length).abs() < 1e-6), "{length}: {drawn:?}");
 }
 
 /// A load P and the mean power have two letters.

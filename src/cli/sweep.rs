@@ -24,7 +24,7 @@ use crate::sheet::{Figure, Language};
 use crate::solve::{SolveError, Solved, governed, solve};
 use crate::sweep::{
     Event, EventKind, InputKind, Over, Reversal, SliderStroke, Stretch, Sweep, SweepError, SweepWithBounds,
-    Without, leaps,
+    Without,
 };
 
 /// More positions than this show a progress bar.
@@ -611,13 +611,17 @@ impl Report<'_> {
     /// What turns round at a place, and what leaps there.
     fn reversal(&self, reversal: &Reversal) -> String {
         let leaps = self.cells().into_iter().filter_map(|cell| {
-            let (Cell::Column(_) | Cell::Size(_)) = cell else { return None };
-            if matches!(cell, Cell::Column(c) if self.sweep.columns[c].axis.is_some()) {
+            let leaps = match cell {
+                Cell::Column(c) => self.sweep.columns[c].axis.is_none() && reversal.leaps(c, false),
+                Cell::Size(c) => reversal.leaps(c, true),
+                Cell::Direction(_) => false,
+            };
+            if !leaps {
                 return None;
             }
             let [before, after] = [0, 1].map(|side| self.told(cell, &reversal.sides[side]));
             let (name, unit) = self.head_of(cell);
-            let (before, after) = before.zip(after).filter(|(before, after)| leaps(*before, *after))?;
+            let (before, after) = before.zip(after)?;
             let name = name.strip_suffix(".size").map_or(name.clone(), |name| format!("|{name}|"));
             Some(format!("{name} = {} {unit} before, {} {unit} after", short(before), short(after)))
         });

@@ -37,7 +37,7 @@ pub use carried::Skeleton;
 pub use course::{Event, EventKind, Stretch};
 pub use curve::{Table, Track};
 pub use positions::{PositionError, moved_to, other_positions};
-pub use reversals::{Reversal, leaps};
+pub use reversals::Reversal;
 
 /// What a sweep goes over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -441,11 +441,11 @@ impl Sweep {
         let mut told: Vec<Event> = Vec::new();
         for event in std::mem::take(&mut self.events) {
             let same = |other: &Event| {
-                [event.kind, other.kind].iter().all(|kind| matches!(kind, EventKind::DeadPosition))
+                other.kind == EventKind::DeadPosition
                     && (event.at - other.at).abs() <= room
                     && self.links(&event) == self.links(other)
             };
-            if !told.iter().any(same) {
+            if event.kind != EventKind::DeadPosition || !told.iter().any(same) {
                 told.push(event);
             }
         }

@@ -15,6 +15,9 @@ const HALVINGS: usize = 60;
 const BESIDE: f64 = 1e-6;
 /// What differs on both sides by no more than this part of itself does not leap.
 const LEAP: f64 = 1e-6;
+/// Nor what differs by no more than this part of its change on the way to the farther look: that is what is left of a straight
+/// line through both, as of a torque that passes zero where the piston stands.
+const OF_WAY: f64 = 1e-3;
 
 /// A place at which motion turns round.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +39,14 @@ struct Side {
 }
 
 impl Reversal {
+    /// Whether a column leaps there, or, `of_vector`, the size of the vector that begins with it.
+    #[must_use]
+    pub fn leaps(&self, column: usize, of_vector: bool) -> bool {
+        let measure =
+            if of_vector { Measure::Magnitude([column, column + 1]) } else { Measure::Column(column) };
+        self.leap(measure).is_some()
+    }
+
     /// Before and after, where what is measured leaps.
     fn leap(&self, measure: Measure) -> Option<[Side; 2]> {
         let number = |columns: &[Option<f64>]| match measure {
@@ -44,8 +55,11 @@ impl Reversal {
         };
         let side =
             |of: usize| Some(Side { limit: number(&self.sides[of])?, farther: number(&self.beside[of])? });
-        let [before, after] = [side(0)?, side(1)?];
-        leaps(before.limit, after.limit).then_some([before, after])
+        let both = [side(0)?, side(1)?];
+        let size = both.iter().map(|side| side.limit.abs()).fold(0.0, f64::max);
+        let way = both.iter().map(|side| (side.farther - side.limit).abs()).fold(0.0, f64::max);
+        let by = (both[0].limit - both[1].limit).abs();
+        (by > (LEAP * size).max(OF_WAY * way)).then_some(both)
     }
 
     /// What is extreme on either side of the leap: a force falls away from the higher side of a greatest value and rises
@@ -63,12 +77,6 @@ impl Reversal {
         }
         found
     }
-}
-
-/// Whether numbers on both sides of a reversal differ.
-#[must_use]
-pub fn leaps(before: f64, after: f64) -> bool {
-    (before - after).abs() > LEAP * before.abs().max(after.abs())
 }
 
 impl Sweep {
@@ -123,19 +131,17 @@ pub(super) fn reversals(
         }
         at - libm::floor((at - from) / whole) * whole
     };
-    // A rate or a velocity; none where the mechanism does not stand.
-    let look = |at: f64, of: usize| -> Option<[f64; 2]> {
+    // A rate or the coordinates of a velocity; none where the mechanism does not stand.
+    let look = |at: f64, of: usize| -> Option<Vec<f64>> {
         let numbers = motion.at(wrapped(at))?;
         let own = motion
             .columns
             .iter()
             .zip(&numbers)
             .filter(|(column, _)| !column.watched && column.asked.quantity == watched[of].1);
-        let mut own = own.map(|(_, number)| number.map(|number| number.value));
-        let first = own.next()??;
-        Some([first, own.next().flatten().unwrap_or(0.0)])
+        own.map(|(_, number)| number.as_ref().map(|number| number.value)).collect()
     };
-    let against = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1] < 0.0;
+    let against = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() < 0.0;
     #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
     let place = |index: usize| from + whole * (index as f64 + 0.5) / LOOKS as f64;
     let mut found: Vec<Reversal> = Vec::new();
@@ -144,13 +150,13 @@ pub(super) fn reversals(
         for index in 0..last {
             let [mut low, mut high] = [place(index), place(index + 1)];
             let (Some(start), Some(end)) = (look(low, of), look(high, of)) else { continue };
-            if !against(start, end) {
+            if !against(&start, &end) {
                 continue;
             }
             for _ in 0..HALVINGS {
                 let middle = f64::midpoint(low, high);
                 match look(middle, of) {
-                    Some(here) if against(start, here) => high = middle,
+                    Some(here) if against(&start, &here) => high = middle,
                     Some(_) => low = middle,
                     None => break,
                 }
