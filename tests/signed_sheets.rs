@@ -425,9 +425,9 @@ fn a_centre_off_the_sheet_is_so_far_from_the_tip() {
     );
     let (a, pivot) = (times(unit(82_f64.to_radians()), 60.0), [100.0, 0.0]);
     let base = minus(pivot, a);
-    let along = (98.0_f64.powi(2) - 60.0_f64.powi(2) + dot(base, base)) / (2.0 * long(base));
+    let along = (98.0 * 98.0 - 60.0 * 60.0 + dot(base, base)) / (2.0 * long(base));
     let d = times(base, 1.0 / long(base));
-    let off = libm::sqrt(98.0_f64.powi(2) - along * along);
+    let off = libm::sqrt(98.0 * 98.0 - along * along);
     let b = plus(a, plus(times(d, along), [-off * d[1], off * d[0]]));
     assert!(long(minus(b, [110.0, 58.0])) < 10.0, "{b:?}");
     // Where two lines meet, each through a point and along a direction.
