@@ -173,12 +173,9 @@ impl Board {
     }
 
     /// Finds a point on the paper, as a stroke; or its direction where it lies at infinity as far as anybody can
-    /// tell. Between the two, where its weight is neither zero nor clear of its error, the point is on the paper
-    /// with a weak divisor and `reason` on the tape.
+    /// tell: where its weight is not so clear of its error that one may divide by it.
     pub fn locate(&mut self, p: HomogeneousPoint, reason: Reason) -> Location {
-        let weight = p.weight.value.abs();
-        let lost = weight == 0.0 || self.tape.error(p.weight.mark).is_some_and(|error| weight <= error);
-        if lost {
+        if self.vanishes(p.weight) {
             let direction = self.unit(p.reach, reason);
             // The half turn that a line's direction leaves open is chosen here, once.
             let angle = self.measure_angle(direction);

@@ -3,7 +3,7 @@
 //! unknowns (`s000-ch3a` 2.3 and 2.4). What is laid off before a line begins, and what its length is called,
 //! is in `velocity.rs` and `acceleration.rs`.
 
-use crate::board::{Line, Mm, Point};
+use crate::board::{Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, Lead, Ram, Target, Unknown};
 use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
@@ -327,8 +327,13 @@ impl Draughtsman<'_> {
         let scale = self.polygon_scale(order);
         let line = Reference::Points(base, point);
         let length = self.length_to(link, base, point);
-        let outward = self.outward(link, base, point);
-        let square = self.board.quarter_turn(outward);
+        // Where the two may be one place no line leads from the one to the other.
+        let lines = if self.may_touch_at_joint(link, [base, point]) {
+            None
+        } else {
+            let outward = self.outward(link, base, point);
+            Some((outward, self.board.quarter_turn(outward)))
+        };
         let mut parts = Vec::new();
         let [velocity, of_normal, of_tangential] = self.turned_between(link, point, base);
         if second {
@@ -344,20 +349,34 @@ impl Draughtsman<'_> {
                 length: length.value(),
                 value: normal.value(),
             }));
-            let inward = self.board.reverse(outward);
-            parts.push((VectorKind::Normal, quantity, Claim::Parallel(line), inward, normal));
+            let by = match lines {
+                Some((outward, _)) => Turned::Along(self.board.reverse(outward)),
+                None => {
+                    let square = self.board.product(omega, omega);
+                    let inward = self.way_times(square, [point, base]);
+                    Turned::By(inward.map(|part| self.board.to_paper(part, scale)))
+                }
+            };
+            parts.push((VectorKind::Normal, quantity, Claim::Parallel(line), by, normal));
         }
         let rate = self.rate(order, link);
         let part = self.board.product(rate, length);
         let (kind, quantity) =
             if second { (VectorKind::Tangential, of_tangential) } else { (VectorKind::Relative, velocity) };
         self.act_turning(order, quantity, link, [base, point], [rate, length, part]);
-        parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
+        let by = match lines {
+            Some((_, square)) => Turned::Along(square),
+            None => Turned::By(self.square_parts(rate, [base, point], order)),
+        };
+        parts.push((kind, quantity, Claim::Perpendicular(line), by, part));
         let count = parts.len();
         let mut foot = start;
-        for (place, (kind, quantity, claim, direction, amount)) in parts.into_iter().enumerate() {
+        for (place, (kind, quantity, claim, by, amount)) in parts.into_iter().enumerate() {
             let mm = self.board.to_paper(amount, scale);
-            let at = self.lay_off_vector(quantity, foot.1, direction, mm);
+            let at = match by {
+                Turned::Along(direction) => self.lay_off_vector(quantity, foot.1, direction, mm),
+                Turned::By(parts) => self.board.moved(foot.1, parts),
+            };
             let next = index + u8::from(place > 0);
             let here = last.filter(|_| place + 1 == count);
             let label = here.unwrap_or(Label::Foot { point, link: None, index: next });
@@ -1006,6 +1025,14 @@ impl Draughtsman<'_> {
         }
         meet.at
     }
+}
+
+/// How a part of what a link's rotation gives is laid off.
+enum Turned {
+    /// Along a line.
+    Along(Direction),
+    /// Component by component.
+    By([Mm; 2]),
 }
 
 /// The vector from the pole to a point's image, of which nothing is known.

@@ -419,11 +419,32 @@ impl<'m> Draughtsman<'m> {
                 |point| DrawError::NotPlaced { point },
             ));
         }
-        let links = self.links_of_trial(trial).into_iter().chain(closing_rods(trial)).collect();
-        self.tried = Tried { points: given, links };
+        self.tried = self.what_moves(trial, given);
         let drawn = self.by_trial(trial, &steps, &rod);
         self.tried = Tried::default();
         drawn
+    }
+
+    /// What moves while a group is tried. A rider of placed points does not: how it is turned against its guide is told by
+    /// its places alone.
+    fn what_moves(&self, trial: &Trial, mut points: Vec<PointId>) -> Tried {
+        let as_placed: Vec<LinkId> = self
+            .mechanism
+            .slides
+            .iter()
+            .filter_map(|slide| match slide.rider {
+                Rider::Link { link, turned: None } => Some(link),
+                _ => None,
+            })
+            .collect();
+        let of_rider = |point: &PointId| {
+            as_placed.iter().any(|&rider| self.mechanism.link(rider).points.contains(point))
+        };
+        points.retain(|point| !of_rider(point));
+        let mut links = self.links_of_trial(trial);
+        links.extend(closing_rods(trial));
+        links.retain(|link| !as_placed.contains(link));
+        Tried { points, links }
     }
 
     /// Whether a trial is of a group of more than two links with turning pairs and pins on guides alone, and nothing driven in

@@ -907,9 +907,17 @@ impl Draughtsman<'_> {
     /// where the link touches a wheel by its own line, or on a guide of the link through that joint, as the disc of Oldham's
     /// coupling passes the centres of both shafts. A pin that tells how the link turns is never there.
     pub(super) fn may_be_at_joint(&self, link: LinkId, joint: PointId, point: PointId) -> bool {
-        let roll = self.mechanism.roll_at(point).map(|roll| self.mechanism.rolls[roll]);
-        let touches = matches!(roll, Some(Roll::Line { guide, .. }) if guide.link == link);
-        (touches || self.guide_through(link, joint, point).is_some()) && self.departures.is_empty()
+        let guided = self.guide_through(link, joint, point).is_some() && self.departures.is_empty();
+        guided || self.may_touch_at_joint(link, [joint, point])
+    }
+
+    /// Whether one of two points is where the link touches a wheel by its own line: that place passes the link's joints.
+    pub(super) fn may_touch_at_joint(&self, link: LinkId, ends: [PointId; 2]) -> bool {
+        let touches = |&point: &PointId| {
+            let roll = self.mechanism.roll_at(point).map(|roll| self.mechanism.rolls[roll]);
+            matches!(roll, Some(Roll::Line { guide, .. }) if guide.link == link)
+        };
+        ends.iter().any(touches) && self.departures.is_empty()
     }
 
     /// The guide through a joint of a link that is driven, or turns with what rides on it, along which a point slides.

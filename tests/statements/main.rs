@@ -69,7 +69,7 @@ pub(crate) fn right_scene(seed: u64) -> Option<String> {
 fn case(seed: u64) -> Result<Case, &'static str> {
     let (growth, state, mut dice) = moving(seed)?;
     let m = growth.mechanism;
-    let mut said = statement::say(&m, &growth.made, &mut dice);
+    let mut said = statement::say(&m, &growth.made, state.condition, &mut dice);
     if !truth::tells_places(&m, &said.told) {
         // A link of placed points rides as placed: how it is turned against its guide only the guide's own places say.
         return Err("a rider as placed whose guide nothing places");

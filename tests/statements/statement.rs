@@ -602,7 +602,7 @@ fn tidy(x: f64) -> f64 {
 }
 
 /// Says a mechanism.
-pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said {
+pub(crate) fn say(m: &Mechanism, made: &[&'static str], condition: f64, dice: &mut Dice) -> Said {
     let units = Units {
         length: dice.of(&LENGTHS),
         angle: if dice.chance(0.7) { ANGLES[0] } else { dice.of(&ANGLES) },
@@ -679,17 +679,18 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
     let mut placed = Map::new();
     let mut near = Map::new();
     let size = m.size();
+    // Next to a dead centre two assemblies lie close to each other: a rough place has to say which.
+    let blur = (0.2 * condition).min(0.0005) * size;
     for (i, point) in m.points.iter().enumerate() {
         if m.is_fixed(i) {
             fixed.insert(point.name.clone(), w.place(point.at));
         } else if w.placed[i] {
             placed.insert(point.name.clone(), w.place(point.at));
         } else {
-            let blur = 0.0005 * size;
             let at = [0, 1].map(|k| {
                 let x = point.at[k] + blur * w.dice.between(-1.0, 1.0);
                 // As one writes them by eye.
-                let step = 0.0002 * size;
+                let step = 0.4 * blur;
                 (x / step).round() * step
             });
             near.insert(point.name.clone(), json!(at));
