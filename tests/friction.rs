@@ -710,3 +710,89 @@ fn friction_that_lifts_a_wheel_leaves_no_equilibrium() {
     let checked = check::check(&scene(3.0, r#""expect": "no-equilibrium","#), 0.0);
     assert!(checked.ok, "{:?}", checked.outcome);
 }
+
+/// The loaded slider-crank of the closed form has a second rod at its crank pin, on which nothing acts, and whose steep slide
+/// would lock at f = cot β if anything pressed it. Whichever way its guide is directed it holds nothing up: the torque is
+/// that of the loaded rod alone.
+#[test]
+fn what_nothing_presses_does_not_lock() {
+    let beta = libm::asin(60.0 * libm::sin(50.0_f64.to_radians()) / 70.0);
+    let steep = 1.3 / libm::tan(beta);
+    for angle in [0, 180] {
+        for turn in [1.0, -1.0] {
+            let scene = format!(
+                r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+                "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }}, "3": {{ "joins": ["A", "B"], "length": 220 }},
+                            "5": {{ "joins": ["A", "C"], "length": 70 }} }},
+                "slides": [ {{ "pin": "B", "block": 4, "f": 0.1, "on": {{ "link": 1, "through": "O2" }} }},
+                            {{ "pin": "C", "block": 6, "f": {steep},
+                               "on": {{ "link": 1, "through": "O2", "angle": {angle} }} }} ],
+                "near": {{ "B": [240, 0], "C": [90, 0] }},
+                "input": {{ "link": 2, "angle": 50, "omega": {} }}, "pins": {{ "C": {{ "circle": 2 }} }},
+                "loads": [ {{ "on": 4, "force": 1500, "direction": 0 }} ],
+                "find": [ "T(2)", "F(1,6)", "F(5,6)" ] }}"#,
+                10.0 * turn
+            );
+            let found = answers(&read(&scene));
+            near(found["T(2)"][0], by_tangents(1500.0, [0.0; 3], 0.1 * turn, 1.0));
+            for name in ["F(1,6)", "F(5,6)"] {
+                near(libm::hypot(found[name][0], found[name][1]), 0.0);
+            }
+        }
+    }
+}
+
+/// The link of two balances, with a circle r = 2 and arms 3 and 1: Q = −5/3 P or Q = P. A slide that hangs on it by a rod
+/// and carries a thousand millionth of P has no say in which of them holds, whatever side of its guide is pressed.
+#[test]
+fn two_balances_are_seen_beside_a_light_slide() {
+    let scene = |circle: f64, light: f64, expect: &str| {
+        read(&format!(
+            r#"{{ "fixed": {{ "O2": [0, 0] }}, "near": {{ "D": [6, 2] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A", "B"], "line": [0, 1, 3] }},
+                            "3": {{ "joins": ["B", "D"], "length": {} }} }},
+                 "slides": [ {{ "pin": "D", "block": 4, "f": 0.1,
+                                "on": {{ "link": 1, "through": [6, 0], "angle": 90 }} }} ],
+                 "input": {{ "link": 2, "angle": 0, "omega": 1 }}, "pins": {{ "O2": {{ "circle": {circle} }} }},
+                 "loads": [ {{ "name": "P", "on": 2, "at": "B", "force": 12e9, "direction": 90 }},
+                            {{ "name": "Q", "on": 2, "at": "A", "force": "?", "direction": 90 }},
+                            {{ "on": 4, "force": {light}, "direction": -90 }} ],
+                 {expect} "find": ["load(Q)", "F(1,4)"] }}"#,
+            libm::sqrt(13.0)
+        ))
+    };
+    // The rod rises by 2 in 3, and the guide, which slides upwards, holds it back: V = L + 0.1 · 1.5 V.
+    let found = answers(&scene(0.5, 100.0, ""));
+    near(found["load(Q)"][1], -(12e9 - 100.0 / 0.85) * 3.5 / 1.5);
+    near(found["F(1,4)"][0].abs(), 150.0 / (1.0 - 0.15));
+    let several = scene(2.0, 10.0, r#""expect": "ambiguous","#);
+    let checked = check::check(&several, 0.0);
+    assert!(checked.ok, "{:?}", checked.outcome);
+}
+
+/// The guide of a slide is pressed by 17.6 N where it leans and by 15 N where not, and a thousand millionth of the
+/// largest force, 16e9 N, is between the two: the passes come to an end all the same.
+#[test]
+fn a_force_that_is_hardly_seen_lets_passes_end() {
+    let scene = |loads: [f64; 2]| {
+        read(&format!(
+            r#"{{ "fixed": {{ "O2": [0, 0] }}, "near": {{ "D": [6, 2] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A", "B"], "line": [0, 1, 3] }},
+                            "3": {{ "joins": ["B", "D"], "length": {} }} }},
+                 "slides": [ {{ "pin": "D", "block": 4, "f": 0.1,
+                                "on": {{ "link": 1, "through": [6, 0], "angle": 90 }} }} ],
+                 "input": {{ "link": 2, "angle": 0, "omega": 1 }}, "pins": {{ "O2": {{ "circle": 0.5 }} }},
+                 "loads": [ {{ "on": 2, "at": "B", "force": {}, "direction": 90 }},
+                            {{ "name": "Q", "on": 2, "at": "A", "force": "?", "direction": 90 }},
+                            {{ "on": 4, "force": {}, "direction": -90 }} ],
+                 "find": ["load(Q)"] }}"#,
+            libm::sqrt(13.0),
+            loads[0],
+            loads[1]
+        ))
+    };
+    for heavy in [7e9, 12e9, 13e9, 20e9] {
+        let found = answers(&scene([heavy, 10.0]));
+        near(found["load(Q)"][1], -(heavy - 10.0 / 0.85) * 3.5 / 1.5);
+    }
+}

@@ -3,7 +3,8 @@
 //! A pin's couple is its friction circle times the size of the pin's force, a slide's force the coefficient times the
 //! size of its normal force; both sizes are those of the multipliers, so that balance is no longer linear. It is solved
 //! by Newton's iteration while friction grows from nothing to its full strength: where the determinant changes its sign
-//! on the way, or no balance is found at however small a step, the pairs lock. Then every pattern of senses of the normal
+//! on the way in a group, or no balance is found at however small a step, the pairs lock. What nothing presses does not
+//! rub, and locks nothing. Then every pattern of senses of the normal
 //! forces is tried, to see whether another balance exists.
 
 use super::AnalyticError;
@@ -173,6 +174,19 @@ impl Rubbing {
                 of_pin.map(|(index, _)| index).collect()
             }
         }
+    }
+
+    /// The multipliers without which nothing presses the pair, so that it does not rub; none where it rubs whatever they
+    /// are.
+    fn pressed_by(&self, all: &[Self], pairs: &[(Row, Tie)]) -> Vec<usize> {
+        let Place::Pin { link, .. } = self.place else { return self.hangs_on(pairs) };
+        // What drags a pin along its slot presses it as well.
+        let drags = |other: &Self| matches!(other.place, Place::Slide { drag: Some(_), .. });
+        if all.iter().any(|other| other.tie == self.tie && drags(other)) {
+            return Vec::new();
+        }
+        let of_link = |at: &usize| link == 0 || pairs[*at].0.hangs_on(link);
+        self.hangs_on(pairs).into_iter().filter(of_link).collect()
     }
 
     /// The multiplier of the normal force of a guide that is rough.
@@ -381,22 +395,31 @@ struct Search<'a> {
     smooth: Vec<f64>,
     /// The senses of teeth, which their own forces tell: friction may turn one round.
     meshes: Vec<f64>,
+    /// The multipliers that press each pair that rubs; none where it rubs whatever they are.
+    pressed_by: Vec<Vec<usize>>,
+}
+
+/// Where Newton's iteration comes to its end.
+struct Settled {
+    /// The multipliers, and what is sought.
+    x: Vec<f64>,
+    /// By how much rounding may have moved each of them.
+    rounded: Vec<f64>,
+    /// Whether the determinant of each group is positive.
+    positive: Vec<bool>,
 }
 
 impl Search<'_> {
-    /// Newton's iteration at one strength of friction; with the multipliers the sense of the determinant. None where it
-    /// does not end.
-    fn newton(&self, from: &[f64], strength: &Strength) -> Result<Option<(Vec<f64>, bool)>, AnalyticError> {
+    /// Newton's iteration at one strength of friction. None where it does not end.
+    fn newton(&self, from: &[f64], strength: &Strength) -> Result<Option<Settled>, AnalyticError> {
         let mut x = from.to_vec();
         let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let rows = self.balancing.evaluate(&x, strength, None)?;
-            let system = System::new(self.ordering.groups.clone(), &rows, x.len(), multiplier);
+            let system = self.system(&rows);
             if system.blocks.iter().any(|block| block.inverse.is_none()) {
                 return Ok(None);
             }
-            let positive =
-                system.blocks.iter().fold(true, |sign, block| sign == (block.jacobian.determinant() > 0.0));
             let residuals: Vec<f64> = rows.iter().map(|linear| -linear.value).collect();
             let correction = system.solve(&residuals, &self.undetermined);
             for (x, d) in x.iter_mut().zip(&correction) {
@@ -408,11 +431,39 @@ impl Search<'_> {
             let (size, moved) = (largest(&x), largest(&correction));
             // What moves no less than before, and by next to nothing, is rounding.
             if moved <= SETTLED * size || (moved >= last && moved <= SAME * SAME * size) {
-                return Ok(Some((x, positive)));
+                let rounding: Vec<f64> = rows.iter().map(|linear| linear.rounding).collect();
+                let rounded = system.moved_by(&rounding);
+                let positive = self.senses(&x, &rounded, (strength, system))?;
+                return Ok(Some(Settled { x, rounded, positive }));
             }
             last = moved;
         }
         Ok(None)
+    }
+
+    /// The equations in their groups.
+    fn system(&self, rows: &[Linear]) -> System {
+        System::new(self.ordering.groups.clone(), rows, self.smooth.len(), multiplier)
+    }
+
+    /// Whether the determinant of each group is positive. What nothing presses does not rub: a force that is none but for
+    /// rounding has no direction for its friction, and whichever rounding gives it would have a determinant of its own.
+    fn senses(
+        &self,
+        x: &[f64],
+        rounded: &[f64],
+        (strength, mut system): (&Strength, System),
+    ) -> Result<Vec<bool>, AnalyticError> {
+        let mut pressed = strength.clone();
+        for (sense, by) in pressed.senses.iter_mut().zip(&self.pressed_by) {
+            if !by.is_empty() && by.iter().all(|at| x[*at].abs() <= rounded[*at]) {
+                *sense = 0.0;
+            }
+        }
+        if pressed.senses != strength.senses {
+            system = self.system(&self.balancing.evaluate(x, &pressed, None)?);
+        }
+        Ok(system.blocks.iter().map(|block| block.jacobian.determinant() > 0.0).collect())
     }
 
     /// Lets friction grow to its full strength. Where it locks: at which part of it.
@@ -424,12 +475,14 @@ impl Search<'_> {
             pushed: Vec::new(),
             meshes: self.meshes.clone(),
         };
-        let Some((mut x, sense)) = self.newton(&self.smooth, &at(0.0))? else { return Ok(Err(0.0)) };
+        let Some(Settled { mut x, positive, .. }) = self.newton(&self.smooth, &at(0.0))? else {
+            return Ok(Err(0.0));
+        };
         let (mut part, mut step) = (0.0, FIRST_STEP);
         while part < 1.0 {
             let next = (part + step).min(1.0);
             match self.newton(&x, &at(next))? {
-                Some((found, same)) if same == sense => (x, part) = (found, next),
+                Some(found) if found.positive == positive => (x, part) = (found.x, next),
                 _ => {
                     step *= 0.5;
                     if step < LEAST_STEP {
@@ -455,16 +508,16 @@ impl Search<'_> {
                 pushed: pushed.clone(),
                 meshes: self.meshes.clone(),
             };
-            let other = |found: &[f64]| {
-                let fits = normals.iter().zip(&pushed).all(|(at, sense)| found[*at] * sense >= 0.0);
-                let apart: Vec<f64> = found.iter().zip(than).map(|(a, b)| a - b).collect();
-                fits && largest(&apart) > SAME * largest(found).max(largest(than))
+            let other = |Settled { x, rounded, .. }: &Settled| {
+                let fits = normals.iter().zip(&pushed).all(|(at, sense)| x[*at] * sense >= -rounded[*at]);
+                let apart: Vec<f64> = x.iter().zip(than).map(|(a, b)| a - b).collect();
+                fits && largest(&apart) > SAME * largest(x).max(largest(than))
             };
             // From the known balance, and from where all forces of pairs and efforts are turned round and far larger:
             // that is how pins whose circles reach past the arms of their forces find their other balance.
             let beyond = [1.0, -1.0].map(|sign| than.iter().map(|x| sign * BEYOND * x).collect::<Vec<f64>>());
             for from in [than, &beyond[0], &beyond[1]] {
-                if let Some((found, _)) = self.newton(from, &strength(0.0))?
+                if let Some(found) = self.newton(from, &strength(0.0))?
                     && other(&found)
                 {
                     return Ok(true);
@@ -483,13 +536,13 @@ impl Search<'_> {
         &self,
         from: &[f64],
         strength: impl Fn(f64) -> Strength,
-    ) -> Result<Option<Vec<f64>>, AnalyticError> {
-        let Some((mut x, _)) = self.newton(from, &strength(1.0))? else { return Ok(None) };
+    ) -> Result<Option<Settled>, AnalyticError> {
+        let Some(mut found) = self.newton(from, &strength(1.0))? else { return Ok(None) };
         let (mut shrunk, mut step) = (1.0, FIRST_STEP);
         while shrunk > 0.0 {
             let next = (shrunk - step).max(0.0);
-            match self.newton(&x, &strength(next))? {
-                Some((found, _)) => (x, shrunk) = (found, next),
+            match self.newton(&found.x, &strength(next))? {
+                Some(next_found) => (found, shrunk) = (next_found, next),
                 None => {
                     step *= 0.5;
                     if step < LEAST_STEP_OF_CIRCLES {
@@ -498,7 +551,7 @@ impl Search<'_> {
                 }
             }
         }
-        Ok(Some(x))
+        Ok(Some(found))
     }
 
     fn found(&self, senses: &[f64]) -> Result<Found, AnalyticError> {
@@ -563,7 +616,9 @@ pub(super) fn balance(
         undetermined[*column] = true;
     }
     let told = vec![0.0; meshes.len()];
-    let search = Search { balancing, ordering, undetermined, smooth, meshes: told };
+    let pressed_by = |rubbing: &Rubbing| rubbing.pressed_by(&burden.rubbing, &burden.pairs);
+    let pressed_by = burden.rubbing.iter().map(pressed_by).collect();
+    let search = Search { balancing, ordering, undetermined, smooth, meshes: told, pressed_by };
     let found = search.found(&senses)?;
     let x = match &found {
         Found::One(x) => x.clone(),

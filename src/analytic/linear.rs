@@ -116,6 +116,23 @@ impl System {
         x
     }
 
+    /// By how much each unknown moves at most where each equation is off by so much; those of singular groups stay zero.
+    pub(super) fn moved_by(&self, off: &[f64]) -> Vec<f64> {
+        let mut moved = vec![0.0; self.block_of.len()];
+        for (index, block) in self.blocks.iter().enumerate() {
+            let Some(inverse) = &block.inverse else { continue };
+            let of_row = |row: &usize| {
+                let known = self.entries[*row].iter().filter(|(c, _)| self.block_of[*c] != index);
+                off[*row] + known.map(|(c, value)| value.abs() * moved[*c]).sum::<f64>()
+            };
+            let local: Vec<f64> = block.group.rows.iter().map(of_row).collect();
+            for (i, column) in block.group.columns.iter().enumerate() {
+                moved[*column] = (0..local.len()).map(|k| inverse[(i, k)].abs() * local[k]).sum();
+            }
+        }
+        moved
+    }
+
     /// The block in which an unknown is found; none for what does not move.
     pub(super) fn block_of(&self, column: usize) -> Option<usize> {
         self.block_of.get(column).copied().filter(|block| *block != usize::MAX)

@@ -26,6 +26,10 @@ const MOST_PASSES: usize = 60;
 /// Before the last pass, a force below this part of the largest one has no direction to go by.
 const FAINT: f64 = 1e-9;
 
+/// One that was above it, and by which a force leans already, keeps its direction down to this part of that: a lean may
+/// move a force across.
+const KEPT: f64 = 1e-3;
+
 /// A drawing that is run for other places has so many passes more than its own place needs, and there counts as settled
 /// only where the last of them turns no force by more than `TURNED`, radians. Where its own place comes to no end other
 /// places may: it then has all passes.
@@ -169,6 +173,11 @@ impl Look {
     /// Whether a force has no direction to go by.
     fn is_faint(&self, [x, y]: [f64; 2]) -> bool {
         libm::hypot(x, y) <= FAINT * self.largest
+    }
+
+    /// Whether a force that had a direction in the pass before has none any more.
+    fn has_faded(&self, [x, y]: [f64; 2]) -> bool {
+        libm::hypot(x, y) <= KEPT * FAINT * self.largest
     }
 
     /// The largest turn of a force that counts: what a turn does to a moment is of second order in it and of first in
@@ -481,12 +490,14 @@ impl Draughtsman<'_> {
         let guards = turns.is_some() && self.board.tape().will_be_run();
         for (index, rub) in rubbed.iter().enumerate() {
             let Some([x, y]) = look.forces[index] else { continue };
-            if (x == 0.0 && y == 0.0) || (turns.is_none() && look.is_faint([x, y])) {
+            let leaned = gone_by.contains_key(&index);
+            let faint = if leaned { look.has_faded([x, y]) } else { look.is_faint([x, y]) };
+            if (x == 0.0 && y == 0.0) || (turns.is_none() && faint) {
                 continue;
             }
             let Some(pull) = self.force_of(balance, rub) else { continue };
             // A drawing of this one place: there what is no more than rounding rubs no more than that.
-            if look.is_faint([x, y]) && !self.board.tape().will_be_run() {
+            if faint && !self.board.tape().will_be_run() {
                 self.rub_faintly(leaning, rub);
                 continue;
             }
@@ -860,9 +871,10 @@ pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, S
             return false;
         }
         let Some(tried) = try_out((mechanism, structure, plan), sides, begun) else { return false };
+        // A guide that is hardly pressed in the other balance does not rub there, and fits on either side.
         let presses = |(slide, left): &(usize, bool)| {
             let pressing = tried.pressing.get(slide);
-            pressing.is_some_and(|pressing| (if *left { *pressing } else { -pressing }) > FAINT)
+            pressing.is_none_or(|pressing| (if *left { *pressing } else { -pressing }) > FAINT)
         };
         tried.ends && sides.iter().all(presses) && !tried.is_one_with(&own)
     };
