@@ -60,6 +60,39 @@ impl Construction {
     }
 }
 
+impl Construction {
+    /// The same on a page of another scale of lengths, metres per millimetre: the skeleton, its centres and what is carried
+    /// over by them. Arrows of velocities on it, polygons and what the steps read off these are as they were.
+    #[must_use]
+    pub fn with_lengths_at(&self, metres_per_mm: f64) -> Self {
+        let mut own = self.clone();
+        let by = self.space.metres_per_mm / metres_per_mm;
+        space(&mut own.space, by, metres_per_mm);
+        if let Some(drawn) = &mut own.circle {
+            let by = lengths_only(by);
+            centres(drawn, by.length());
+            for transfer in &mut drawn.transfers {
+                transferred(transfer, by, transfer.si_per_mm);
+            }
+        }
+        own
+    }
+}
+
+impl TransferAct {
+    /// The same on a page whose lengths are so many times as long.
+    #[must_use]
+    pub fn with_lengths_by(mut self, by: f64) -> Self {
+        transfer_act(&mut self, lengths_only(by));
+        self
+    }
+}
+
+/// Lengths so many times as long, and nothing else.
+fn lengths_only(by: f64) -> Scales {
+    Scales::new(|dimension| if dimension == Dimension::Length { by } else { 1.0 })
+}
+
 fn scale(at: &mut Mm2, by: f64) {
     *at = at.map(|x| x * by);
 }
@@ -106,12 +139,16 @@ fn diagram(diagram: &mut Diagram, by: f64, si_per_mm: f64) {
     }
 }
 
-fn circle(circle: &mut CircleDiagram, by: Scales, si_per_mm: f64) {
+fn centres(circle: &mut CircleDiagram, by: f64) {
     for centre in &mut circle.centres {
         if let CentrePlace::At(at) = &mut centre.place {
-            scale(at, by.length());
+            scale(at, by);
         }
     }
+}
+
+fn circle(circle: &mut CircleDiagram, by: Scales, si_per_mm: f64) {
+    centres(circle, by.length());
     for transfer in &mut circle.transfers {
         transferred(transfer, by, si_per_mm);
     }

@@ -12,10 +12,11 @@ use super::ink::{FINE, HEAD, SMALL, THIN, dot, head, page};
 use super::labels::{Request, Site};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
+use super::reach::{Reach, Window};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
 use super::transfer;
-use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
+use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Found};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, Mechanism, Rider};
 use crate::plan::chord;
@@ -24,7 +25,9 @@ use crate::plan::chord;
 const LARGEST: (f64, f64) = (150.0, 138.0);
 /// What names and caption need around a figure that fills the paper, width and height.
 pub(super) const AROUND: (f64, f64) = (2.0, 24.0);
-/// Blank kept between a centre and the border.
+/// Blank kept between a centre that is needed and the border: its name stands above or below it.
+pub(super) const ABOUT_NEEDED: f64 = 5.0;
+/// Blank kept between another centre and the border, and about the skeleton.
 const BORDER: f64 = 9.0;
 /// Centres closer than this on paper have one label.
 const COINCIDENT: f64 = 0.3;
@@ -32,17 +35,17 @@ const COINCIDENT: f64 = 0.3;
 /// The skeleton with the lines of centres and the centres' names. In a crowd that leaves no room for all names, pins
 /// have none: their centres are seen.
 #[must_use]
-pub fn draw(
+pub(super) fn draw(
     circle: &CircleDiagram,
-    construction: &Construction,
+    reach: &Reach<'_>,
     notation: &Notation<'_>,
     births: Option<&Births<'_>>,
 ) -> Group {
-    let full = drawn(circle, construction, notation, Pins::Named, births);
+    let full = drawn(circle, reach, notation, Pins::Named, births);
     if overlaps_in(&full, None).is_empty() {
         return full;
     }
-    drawn(circle, construction, notation, Pins::Bare, births)
+    drawn(circle, reach, notation, Pins::Bare, births)
 }
 
 /// When a centre is found, told as the acts of a step after the last: the primary ones at once, each other by itself.
@@ -61,19 +64,20 @@ enum Pins {
 
 fn drawn(
     circle: &CircleDiagram,
-    construction: &Construction,
+    reach: &Reach<'_>,
     notation: &Notation<'_>,
     pins: Pins,
     births: Option<&Births<'_>>,
 ) -> Group {
-    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, births, |ink, places| {
+    let construction = &*reach.construction;
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, births, |_, places| {
         let mut chart = Chart {
             births,
             circle,
             notation: *notation,
             places,
             pins,
-            window: window(circle, ink, notation),
+            window: reach.window,
             metres_per_mm: construction.space.metres_per_mm,
             overlay: Overlay { ink: Group::new("centres"), ..Overlay::default() },
         };
@@ -86,7 +90,7 @@ fn drawn(
 }
 
 /// The skeleton's ink with as many centres as find room.
-fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Rect {
+pub(super) fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Window {
     let place = |centre: &Centre| {
         let at = on_paper(centre)?;
         Some((at, is_needed(centre, at, skeleton, circle, notation.mechanism())))
@@ -115,12 +119,18 @@ pub(super) fn is_needed(
 
 /// What a figure shows of the plane: the skeleton's ink with as many centres as find room, the nearest first; those that
 /// are needed as far as the paper reaches, then the others on the part of it that a figure usually has.
-pub(super) fn window_over(skeleton: Rect, centres: &[(Point, bool)], (width, height): (f64, f64)) -> Rect {
-    let paper = (width - AROUND.0, height - AROUND.1);
+pub(super) fn window_over(skeleton: Rect, centres: &[(Point, bool)], paper: (f64, f64)) -> Window {
     let of = |needed: bool| centres.iter().filter(move |(_, own)| *own == needed).map(|(at, _)| *at);
     let start = skeleton.inflate(BORDER, BORDER);
-    let with_needed = taking_in(start, of(true).collect(), skeleton.center(), BORDER, paper);
-    taking_in(with_needed, of(false).collect(), skeleton.center(), BORDER, LARGEST)
+    let needed: Vec<Point> = of(true).collect();
+    let with_needed = taking_in(start, needed.clone(), skeleton.center(), ABOUT_NEEDED, for_needed(paper));
+    let shows = taking_in(with_needed, of(false).collect(), skeleton.center(), BORDER, LARGEST);
+    Window::over(shows, &needed)
+}
+
+/// How large a figure may be on such paper for the sake of what it needs.
+pub(super) const fn for_needed((width, height): (f64, f64)) -> (f64, f64) {
+    (width - AROUND.0, height - AROUND.1)
 }
 
 /// A window that has grown over as many places, with so much blank about them, as it takes without becoming larger than

@@ -6,6 +6,7 @@ use super::given::only_translates;
 use super::human;
 use super::notation::Notation;
 use super::printed::{Figures, Key, absolute};
+use super::reach::Reach;
 use super::rich::Rich;
 use crate::graphical::construction::{Act, Calculation, Construction, Diagram, Label, Reading};
 use crate::graphical::is_a_point;
@@ -173,23 +174,31 @@ pub(super) fn place(told: [f64; 2], asked: &Asked) -> Rich {
     human::with_unit(&pair, &asked.unit.symbol)
 }
 
-/// The asked centres that were constructed, as they are measured; none where all of them are seen from the pairs.
-pub(super) fn centres(construction: &Construction, n: &Notation<'_>) -> Option<Rich> {
-    let circle = construction.circle.as_ref()?;
+/// The asked centres that were constructed, as they are measured, and those that are not on the paper; nothing where all of
+/// them are seen from the pairs.
+pub(super) fn centres(construction: &Construction, n: &Notation<'_>) -> Vec<Rich> {
+    let Some(reach) = Reach::of_centres(construction, n) else { return Vec::new() };
     let asked = n.mechanism().asked.iter().zip(&construction.answers);
-    let told: Vec<Rich> = asked
-        .filter_map(|(asked, reading)| {
-            let (Quantity::Centre(i, j), Answer::Vector { value, bound }) = (asked.quantity, &reading.answer)
-            else {
-                return None;
-            };
-            let centre = circle.centre(crate::plan::chord(i, j))?;
-            let symbol = n.symbol(asked.quantity, false).up("\u{a0}");
-            (!centre.found.is_primary())
-                .then(|| symbol.then(&place(construction.told_place(*value, *bound), asked)))
+    let told = asked.filter_map(|(asked, reading)| {
+        let (Quantity::Centre(i, j), Answer::Vector { value, bound }) = (asked.quantity, &reading.answer)
+        else {
+            return None;
+        };
+        let links = crate::plan::chord(i, j);
+        let centre = construction.circle.as_ref()?.centre(links)?;
+        let symbol = n.symbol(asked.quantity, false).up("\u{a0}");
+        (!centre.found.is_primary()).then(|| {
+            let place = place(construction.told_place(*value, *bound), asked);
+            (reach.lies_beyond(links), symbol.then(&place))
         })
-        .collect();
-    (!told.is_empty()).then(|| Rich::fill(n.words.measured_arms, &[("list", n.list(&told))]))
+    });
+    let (beyond, shown): (Vec<_>, Vec<_>) = told.partition(|(beyond, _)| *beyond);
+    let line = |template: &str, told: Vec<(bool, Rich)>| {
+        let list: Vec<Rich> = told.into_iter().map(|(_, text)| text).collect();
+        (!list.is_empty()).then(|| Rich::fill(template, &[("list", n.list(&list))]))
+    };
+    let measured = line(n.words.measured_arms, shown);
+    measured.into_iter().chain(line(n.words.centres_beyond, beyond)).collect()
 }
 
 impl Teller<'_> {

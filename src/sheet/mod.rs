@@ -47,6 +47,7 @@ mod pose;
 mod positions;
 mod printed;
 mod profile;
+mod reach;
 mod remark;
 mod results;
 mod rich;

@@ -8,6 +8,7 @@ use super::figure::Group;
 use super::forces::ForcePanel;
 use super::growth::Births;
 use super::notation::Notation;
+use super::reach::Reach;
 use super::rich::Rich;
 use super::table::Block;
 use super::words::Words;
@@ -142,13 +143,15 @@ impl Panel {
                 Some(polygon::draw(construction.diagram(kind)?, &construction.steps, notation, births))
             }
             Self::Centres => {
-                Some(centres::draw(construction.circle.as_ref()?, construction, notation, births))
+                let reach = Reach::of_centres(construction, notation)?;
+                Some(centres::draw(reach.construction.circle.as_ref()?, &reach, notation, births))
             }
             Self::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
             Self::Transfer(index) => {
-                let circle = construction.circle.as_ref()?;
+                let reach = Reach::of_transfer(index, construction, notation)?;
+                let circle = reach.construction.circle.as_ref()?;
                 let same = transfer::by_method(circle).into_iter().nth(index)?;
-                Some(transfer::draw(&same, circle, construction, notation))
+                Some(transfer::draw(&same, circle, &reach, notation))
             }
             Self::Auxiliary(index) => {
                 Some(auxiliary::draw(construction.auxiliary.get(index)?, construction, notation))
@@ -173,14 +176,18 @@ impl Panel {
     ) -> Option<Vec<Rich>> {
         let words = notation.words;
         let name = |caption: &str| Rich::upright(caption);
-        let skeleton = || notation.length_scale(construction.space.metres_per_mm);
+        let lengths = |own: &Construction| notation.length_scale(own.space.metres_per_mm);
+        let skeleton = || lengths(construction);
         let (caption, scale) = match self {
             Self::SKELETON => (name(words.skeleton), skeleton()),
             Self::Diagram(kind) => {
                 let scale = notation.scale(construction.diagram(kind)?.si_per_mm, kind.dimension());
                 (name(title(kind, words)), scale)
             }
-            Self::Centres => (name(words.centres_figure), skeleton()),
+            Self::Centres => {
+                let reach = Reach::of_centres(construction, notation)?;
+                (name(words.centres_figure), lengths(&reach.construction))
+            }
             Self::Circle => (name(words.circle_diagram), Rich::default()),
             Self::Transfer(index) => {
                 let circle = construction.circle.as_ref()?;
@@ -195,8 +202,9 @@ impl Panel {
                 };
                 let draws = same.iter().flat_map(|transfer| &transfer.ink).any(draws);
                 let velocities = notation.scale(same.first()?.si_per_mm, Dimension::Velocity);
-                let both = || skeleton().aside(words.comma, &velocities);
-                (transfer::title(&same, notation), if draws { both() } else { skeleton() })
+                let own = lengths(&Reach::of_transfer(index, construction, notation)?.construction);
+                let scale = if draws { own.aside(words.comma, &velocities) } else { own };
+                (transfer::title(&same, notation), scale)
             }
             Self::Auxiliary(index) => {
                 let drawing = construction.auxiliary.get(index)?;

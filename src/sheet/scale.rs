@@ -5,15 +5,14 @@ use std::collections::HashMap;
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::centres::{self, is_needed, taking_in, window_over};
+use super::centres::{self, is_needed, window_over};
 use super::compose::{Draft, Filled, free_paper, room_of_question};
 use super::figure::{Figure, Node};
 use super::overlap::clip;
+use super::reach::{self, Window};
 use super::transfer;
 use crate::graphical::auxiliary::{AuxiliaryDrawing, StrokeShape};
-use crate::graphical::construction::{
-    Centre, CentrePlace, CircleDiagram, Construction, Mm2, Transfer, TransferInk,
-};
+use crate::graphical::construction::{Centre, CentrePlace, CircleDiagram, Construction, Mm2};
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::quantity::{Dimension, Method, Quantity};
 use crate::mechanism::{Mechanism, PointId, Roll};
@@ -42,6 +41,9 @@ pub const PAGE_SKELETON: (f64, f64) = (155.0, 180.0);
 pub const APART: f64 = 3.0;
 /// Joints of a skeleton: a shorter link is hidden by the circles of its own pins.
 const JOINTS_APART: f64 = 12.0;
+/// A link of less than this is as good as hidden, and so many times as bad as one that is only short.
+const HIDDEN: f64 = 8.0;
+const HIDDEN_COUNTS: usize = 2;
 /// What a named vector or point needs of a polygon's area, mm², if its name is to stand beside it.
 const PER_NAME: f64 = 110.0;
 /// Width that two polygons side by side have, with their names, and at least for their captions.
@@ -227,7 +229,7 @@ struct Others {
     circle: Option<usize>,
     /// The instant centres, m from the origin of the joints, and whether each is used, or asked for and not far off.
     centres: Vec<([f64; 2], bool)>,
-    /// Of each figure that carries velocities over, where its arcs begin and end, m.
+    /// Of each figure that carries velocities over, what it needs beside the skeleton, m.
     turned: Vec<Vec<[f64; 2]>>,
     /// Whether Klein's construction follows.
     klein: bool,
@@ -254,30 +256,20 @@ impl Others {
         let centres = |circle: &CircleDiagram| {
             circle.centres.iter().filter_map(|own| centre(circle, own)).collect::<Vec<_>>()
         };
-        let arc = |ink: TransferInk| match ink {
-            TransferInk::Arc { from, to, .. } => vec![metres(from), metres(to)],
-            _ => Vec::new(),
+        let needed = |circle: &CircleDiagram| {
+            let all = transfer::by_method(circle).into_iter();
+            all.map(|same| transfer::needed(&same, circle).into_iter().map(metres).collect())
+                .collect::<Vec<_>>()
         };
-        let arcs = |figure: Vec<&Transfer>| transfer::strokes(&figure).into_iter().flat_map(arc).collect();
-        let methods = drawn.circle.iter().flat_map(transfer::by_method);
         Self {
             legend: !scene.sheet.positions.is_empty() || scene.sheet.other_assembly,
             circle: drawn.circle.as_ref().map(|_| mechanism.links.len()),
             centres: drawn.circle.iter().flat_map(centres).collect(),
-            turned: methods.map(arcs).collect(),
+            turned: drawn.circle.iter().flat_map(needed).collect(),
             klein: mechanism.asked.iter().any(|asked| asked.method == Method::Klein),
             more: mechanism.asked.iter().any(|asked| apart(asked.method) || forces(asked.quantity)),
         }
     }
-}
-
-/// What goes over the edge of the figures of centres.
-#[derive(Debug, Clone, Copy, Default)]
-struct OverTheEdge {
-    /// Centres that are asked for or used, and ends of arcs, without which nobody sees what is turned.
-    needed: usize,
-    /// Other centres: lines run to the edge, with the distance.
-    other: usize,
 }
 
 /// Scales of all diagrams, SI per mm; none where nothing has a size.
@@ -295,8 +287,8 @@ impl Choices<'_> {
         const LACK: f64 = 25.0;
         /// What a point too near to another costs, and a centre that nobody asked for and that goes over the edge.
         const CROWDING: f64 = 12.0;
-        /// What a centre that is needed costs where it goes over the edge.
-        const LOST: f64 = 250.0;
+        /// A polygon of this part of what is enough is large where it is not known how the pages fill.
+        const FIRM: f64 = 0.85;
         /// What a page costs, and a last page with nothing on it.
         const PAGE: f64 = 80.0;
         const WASTE: f64 = 100.0;
@@ -317,9 +309,8 @@ impl Choices<'_> {
             let lack = self.nameless(i, scale) + usize::from(size < SMALL * enough);
             // The figures of centres and of velocities carried over have the scale of the skeleton.
             let figures = if i == 0 && self.others.circle.is_some() { 2.0 } else { 1.0 };
-            let crowding = self.crowding(i, scale) + if i == 0 { self.over_the_edge(scale).other } else { 0 };
-            let lost = if i == 0 { self.over_the_edge(scale).needed } else { 0 };
-            figures * own - LACK * lack as f64 - CROWDING * crowding as f64 - LOST * lost as f64
+            let crowding = self.crowding(i, scale) + if i == 0 { self.over_the_edge(scale) } else { 0 };
+            figures * own - LACK * lack as f64 - CROWDING * crowding as f64
         };
         let waste = |filled: Filled| match filled.pages {
             1 => 0.0,
@@ -329,15 +320,14 @@ impl Choices<'_> {
         let mut ways: Vec<(Chosen, f64)> = vec![(Vec::new(), 0.0)];
         for (i, least) in self.least().into_iter().enumerate() {
             // Where it is not known what follows no polygon is larger than its names and points need, and no skeleton, which
-            // has the scale of its free bodies and of constructions, than is enough. Figures of centres and of
-            // velocities carried over reach further than the skeleton under them: what is asked for stays on the paper.
+            // has the scale of its free bodies and of constructions, than is enough.
             let lacks = |scale: Option<f64>| self.nameless(i, scale) + self.crowding(i, scale);
-            let lost = |scale: Option<f64>| if i == 0 { self.over_the_edge(scale).needed } else { 0 };
             let may = |scale: &Option<f64>| {
                 let larger = scale.zip(least).is_some_and(|(own, least)| own < least);
-                let small = i == 0 && self.size(i, *scale) <= self.enough(i);
-                let suits = !larger || !self.others.more || small || lacks(*scale) < lacks(least);
-                suits && lost(*scale) <= lost(least)
+                // A polygon that is small may grow to where the next step would be too much.
+                let enough = if i == 0 { self.enough(i) } else { FIRM * self.enough(i) };
+                let small = self.size(i, *scale) <= enough;
+                !larger || !self.others.more || small || lacks(*scale) < lacks(least)
             };
             let own = self.around(i, least).into_iter().filter(may);
             let own: Vec<(Option<f64>, f64)> = own.map(|scale| (scale, worth_of(i, scale))).collect();
@@ -358,7 +348,10 @@ impl Choices<'_> {
             }
             let Some(filled) = self.filled(&way, 1.0, SPARE) else { return self.least() };
             let longer = self.filled(&way, LONGER.0, SPARE).map_or(0.0, waste);
-            let worth = worth - PAGE * filled.pages as f64 - WASTE * (waste(filled) + LONGER.1 * longer);
+            // What follows begins on the last page.
+            let last = if self.others.more { filled.last.min(1.0) } else { 1.0 };
+            let pages = filled.pages as f64 - 1.0 + last;
+            let worth = worth - PAGE * pages - WASTE * (waste(filled) + LONGER.1 * longer);
             if best.as_ref().is_none_or(|(_, most)| worth > *most) {
                 best = Some((way, worth));
             }
@@ -457,18 +450,9 @@ impl Choices<'_> {
         // One that is a little smaller may save a page.
         let follows =
             |own: f64| round_below(own / per, i == 0).is_some_and(|x| (x * per / scale - 1.0).abs() < 1e-9);
-        let lost = |own: f64| i == 0 && self.over_the_edge(Some(own)).needed > 0;
         let smaller = [1.25, 2.0].into_iter().map(|by| scale * by);
         let large = |own: &f64| self.size(i, Some(*own)) > LEAST * self.enough(i);
         let own = smaller.filter(|own| is_round(own / per, i == 0)).find(|own| follows(*own));
-        // Or take in a centre that is needed.
-        if lost(scale) {
-            let below = [1.25, 2.0, 2.5, 4.0, 5.0]
-                .into_iter()
-                .map(|by| scale * by)
-                .filter(|own| is_round(own / per, true));
-            all.extend(below.filter(|own| !lost(*own)).take(1).map(Some));
-        }
         all.extend(own.filter(large).map(Some));
         while let Some(next) = round_below(scale / per, i == 0).map(|next| next * per)
             && next > most * (1.0 - 1e-9)
@@ -485,12 +469,14 @@ impl Choices<'_> {
         let choice = &self.all[i];
         let apart = if i == 0 { JOINTS_APART } else { APART };
         let near = too_near(choice.points, apart * scale);
+        // Of a link that is hardly seen nobody can measure anything.
+        let hidden = if i == 0 { HIDDEN_COUNTS * too_near(choice.points, HIDDEN * scale) } else { 0 };
         let names = if i == 0 { 0 } else { choice.vectors.len() + choice.points.len() };
         let [w, h] = choice.size.map(|side| side / scale);
         // A flat polygon is named along its sides.
         let area = (w + 16.0) * (h + 16.0);
         let lacking = PER_NAME * names as f64 - area;
-        near + (lacking / PER_NAME).max(0.0) as usize
+        near + hidden + (lacking / PER_NAME).max(0.0) as usize
     }
 
     /// The skeleton's ink at a scale, about.
@@ -504,42 +490,52 @@ impl Choices<'_> {
         joints.union(Rect::from_center_size(joints.center(), (w, h))).inflate(AROUND, AROUND)
     }
 
-    /// What the figure of centres shows of the plane at a scale.
-    fn window_of_centres(&self, scale: f64) -> Rect {
-        let centres: Vec<(Point, bool)> = self
-            .others
-            .centres
-            .iter()
-            .map(|(at, asked)| (Point::new(at[0] / scale, at[1] / scale), *asked))
-            .collect();
-        window_over(self.skeleton(scale), &centres, self.paper)
+    /// What the figure of centres shows of the plane where the skeleton has a scale, and the scale of the figure.
+    fn window_of_centres(&self, skeleton: f64) -> (Rect, f64) {
+        self.own_scale(skeleton, |scale| {
+            let centres: Vec<(Point, bool)> = self
+                .others
+                .centres
+                .iter()
+                .map(|(at, asked)| (Point::new(at[0] / scale, at[1] / scale), *asked))
+                .collect();
+            window_over(self.skeleton(scale), &centres, self.paper)
+        })
     }
 
     /// What the figures that carry velocities over show of it.
-    fn windows_of_turning(&self, scale: f64) -> Vec<Rect> {
-        let skeleton = self.skeleton(scale);
-        let most = (transfer::LARGEST.0 * self.stretch.0, transfer::LARGEST.1 * self.stretch.1);
-        let window = |ends: &Vec<[f64; 2]>| {
-            let ends = ends.iter().map(|at| Point::new(at[0] / scale, at[1] / scale)).collect();
-            let start = skeleton.inflate(transfer::BORDER, transfer::BORDER);
-            taking_in(start, ends, skeleton.center(), transfer::BLANK, most)
+    fn windows_of_turning(&self, skeleton: f64) -> Vec<Rect> {
+        let window = |needed: &Vec<[f64; 2]>| {
+            let (window, _) = self.own_scale(skeleton, |scale| {
+                let needed: Vec<Point> =
+                    needed.iter().map(|at| Point::new(at[0] / scale, at[1] / scale)).collect();
+                let start = self.skeleton(scale).inflate(transfer::BORDER, transfer::BORDER);
+                transfer::window_over(start, &needed, Vec::new(), self.paper, self.stretch)
+            });
+            window
         };
         self.others.turned.iter().map(window).collect()
     }
 
-    /// What goes over the edge of those figures.
-    fn over_the_edge(&self, scale: Option<f64>) -> OverTheEdge {
-        let Some(scale) = scale else { return OverTheEdge::default() };
-        let outside =
-            |window: &Rect, at: &[f64; 2]| !window.contains(Point::new(at[0] / scale, at[1] / scale));
-        let window = self.window_of_centres(scale);
-        let centres = |asked: bool| {
-            self.others.centres.iter().filter(|(at, own)| *own == asked && outside(&window, at)).count()
+    /// A window at the scale that its figure has where the skeleton has this one.
+    fn own_scale(&self, skeleton: f64, window: impl Fn(f64) -> Window) -> (Rect, f64) {
+        let of = |scale: f64| {
+            let window = window(scale);
+            ((window.shows, scale), window.lost)
         };
-        let windows = self.windows_of_turning(scale);
-        let turned = windows.iter().zip(&self.others.turned);
-        let ends = turned.map(|(window, ends)| ends.iter().filter(|at| outside(window, at)).count());
-        OverTheEdge { needed: centres(true) + ends.sum::<usize>(), other: centres(false) }
+        if self.all[0].stated.is_some() {
+            return of(skeleton).0;
+        }
+        let [w, h] = self.all[0].size;
+        reach::chosen(skeleton, w.max(h) / skeleton, of)
+    }
+
+    /// How many centres that nobody needs go over the edge of their figure.
+    fn over_the_edge(&self, scale: Option<f64>) -> usize {
+        let Some(scale) = scale else { return 0 };
+        let (window, scale) = self.window_of_centres(scale);
+        let outside = |at: &[f64; 2]| !window.contains(Point::new(at[0] / scale, at[1] / scale));
+        self.others.centres.iter().filter(|(at, needed)| !needed && outside(at)).count()
     }
 
     /// How the pages fill at these scales where the text is so much longer, with so much blank to spare, mm.
@@ -575,7 +571,7 @@ impl Choices<'_> {
         if let Some(links) = others.circle {
             let figure = |window: Rect| [window.width().max(CAPTION), window.height() + centres::AROUND.1];
             let scale = scales[0];
-            blocks.extend(scale.map(|scale| figure(self.window_of_centres(scale))));
+            blocks.extend(scale.map(|scale| figure(self.window_of_centres(scale).0)));
             blocks.push([self.paper.0.min(150.0), CIRCLE[usize::from(links > 5)]]);
             blocks.extend(scale.iter().flat_map(|scale| self.windows_of_turning(*scale)).map(figure));
         }
@@ -778,7 +774,16 @@ pub fn outgrown(
         // Blank at the edge of letters is no ink.
         let over = ink.width() > wide + 0.5 || ink.height() > room.1 + 0.5;
         let Some(Node::Group(drawing)) = panel.children.first().filter(|_| over) else { return None };
-        let dimension = match drawing.class.split(' ').next()? {
+        // A figure with a scale of its own has found room at it.
+        let own = drawing.data.iter().find(|(name, _)| *name == "si-per-mm");
+        let own = own.and_then(|(_, own)| own.parse::<f64>().ok());
+        let class = drawing.class.split(' ').next()?;
+        if matches!(class, "instant-centres" | "transfer")
+            && own.is_some_and(|own| own > construction.space.metres_per_mm * (1.0 + 1e-9))
+        {
+            return None;
+        }
+        let dimension = match class {
             "velocity" => Dimension::Velocity,
             "acceleration" => Dimension::Acceleration,
             "skeleton" | "instant-centres" | "free-body" | "transfer" => Dimension::Length,
@@ -825,6 +830,12 @@ fn beside(row: &[Choice<'_>], (wide, high): (f64, f64)) -> Chosen {
     let b = fit(second, wider(first.size[0] / a)).map_or(b, |scale| scale.min(b));
     let a = fit(first, wider(second.size[0] / b)).map_or(a, |scale| scale.min(a));
     vec![Some(a), Some(b)]
+}
+
+/// The next round scales of a skeleton below one, metres per mm, as far as a fifth of its size.
+pub(super) fn smaller(metres_per_mm: f64) -> impl Iterator<Item = f64> {
+    let steps = [1.25, 2.0, 2.5, 4.0, 5.0].into_iter();
+    steps.map(move |by| metres_per_mm * by).filter(|own| is_round(own * 1000.0, true))
 }
 
 /// Whether a number is round; of a ratio below 1, whether it is one to a round number.

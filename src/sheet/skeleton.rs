@@ -198,16 +198,21 @@ pub fn turning(construction: &Construction, notation: &Notation<'_>) -> Vec<(Lin
     Artist::new(construction, notation).known_rotations().into_keys().collect()
 }
 
-/// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
-/// points on the page.
+/// What a skeleton covers of the page before anything on it is named.
 #[must_use]
-pub fn draw_under(
-    construction: &Construction,
-    notation: &Notation<'_>,
+pub fn covers(construction: &Construction, notation: &Notation<'_>, arrows: Arrows) -> Rect {
+    let (mut artist, mut group, known) = bare(construction, notation, arrows, None);
+    artist.rotations(&mut group, known, true);
+    group.bounds().unwrap_or(Rect::ZERO)
+}
+
+/// The skeleton's links and joints, who draws on, and the rotations that are shown.
+fn bare<'a>(
+    construction: &'a Construction,
+    notation: &Notation<'a>,
     arrows: Arrows,
-    births: Option<&Births<'_>>,
-    overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
-) -> Group {
+    births: Option<&'a Births<'a>>,
+) -> (Artist<'a>, Group, BTreeMap<(LinkId, bool), f64>) {
     let space = &construction.space;
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
@@ -230,6 +235,20 @@ pub fn draw_under(
         let inputs: Vec<LinkId> = notation.mechanism().inputs.iter().filter_map(driven).collect();
         known.retain(|(link, second), _| !second && inputs.contains(link));
     }
+    (artist, group, known)
+}
+
+/// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
+/// points on the page.
+#[must_use]
+pub fn draw_under(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    arrows: Arrows,
+    births: Option<&Births<'_>>,
+    overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
+) -> Group {
+    let (mut artist, group, known) = bare(construction, notation, arrows, births);
     let names = artist.labels.clone();
     let places: Vec<Option<Point>> =
         (0..notation.mechanism().points.len()).map(|i| artist.pose.place(PointId(i))).collect();

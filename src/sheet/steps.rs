@@ -131,7 +131,7 @@ fn told_centres(
     notation: &Notation<'_>,
 ) -> Vec<(Item, Option<usize>)> {
     let read = super::derived::centres(construction, notation);
-    let read = read.map(|read| (Item::Sentence(read), None));
+    let read = read.into_iter().map(|read| (Item::Sentence(read), None));
     super::circle::items(circle, notation).into_iter().chain(read).collect()
 }
 

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use kurbo::{Point, Rect};
 
-use super::centres::taking_in;
+use super::centres::{ABOUT_NEEDED, for_needed, taking_in};
 use super::circle::{centre_name, name};
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone, on_circle};
 use super::human;
@@ -13,6 +13,7 @@ use super::labels::{Request, Site};
 use super::notation::Notation;
 use super::overlap::clip;
 use super::printed::{Apart, Figures, Key};
+use super::reach::{Reach, Window};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::steps::Item;
@@ -49,16 +50,15 @@ pub fn by_method(circle: &CircleDiagram) -> Vec<Vec<&Transfer>> {
 
 /// The skeleton with the strokes of the transfers of one method.
 #[must_use]
-pub fn draw(
+pub(super) fn draw(
     transfers: &[&Transfer],
     circle: &CircleDiagram,
-    construction: &Construction,
+    reach: &Reach<'_>,
     notation: &Notation<'_>,
 ) -> Group {
-    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, None, |ink, _| {
+    let (construction, window) = (&*reach.construction, reach.window);
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, None, |_, _| {
         let strokes = strokes(transfers);
-        let (wide, high) = super::scale::stretch(notation.scene);
-        let window = window(&strokes, ink, (LARGEST.0 * wide, LARGEST.1 * high));
         let mut overlay = Overlay { ink: Group::new("strokes"), ..Overlay::default() };
         for stroke in &strokes {
             draw_stroke(stroke, window, notation, &mut overlay);
@@ -103,9 +103,15 @@ pub(super) fn ends(stroke: &TransferInk) -> (Point, Point) {
     (page(*from), page(*to))
 }
 
-/// The skeleton's ink and all arrows, with as many ends of other strokes as find room: a line ends at a point that is
-/// on the sheet.
-fn window(strokes: &[TransferInk], skeleton: Rect, largest: (f64, f64)) -> Rect {
+/// The skeleton's ink and all arrows, with what is needed as far as the paper reaches, and as many ends of other strokes as
+/// find room: a line ends at a point that is on the sheet.
+pub(super) fn window(
+    transfers: &[&Transfer],
+    circle: &CircleDiagram,
+    skeleton: Rect,
+    notation: &Notation<'_>,
+) -> Window {
+    let strokes = strokes(transfers);
     let is_arrow = |stroke: &&TransferInk| {
         matches!(
             stroke,
@@ -114,9 +120,67 @@ fn window(strokes: &[TransferInk], skeleton: Rect, largest: (f64, f64)) -> Rect 
     };
     let arrows = strokes.iter().filter(is_arrow).map(ends).flat_map(|(a, b)| [a, b]);
     let arrows = arrows.map(|at| Rect::from_center_size(at, (2.0 * BLANK, 2.0 * BLANK)));
-    let window = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
-    let places = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
-    taking_in(window, places, skeleton.center(), BLANK, largest)
+    let start = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
+    let needed: Vec<Point> = needed(transfers, circle).into_iter().map(page).collect();
+    let ends = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
+    let (wide, high) = super::scale::stretch(notation.scene);
+    window_over(start, &needed, ends, super::compose::free_paper(notation.scene), (wide, high))
+}
+
+/// What such a figure shows of the plane: what is needed as far as the paper reaches, then other ends of strokes on the part
+/// of it that a figure usually has, which is so much more than that of upright A4.
+pub(super) fn window_over(
+    start: Rect,
+    needed: &[Point],
+    ends: Vec<Point>,
+    paper: (f64, f64),
+    (wide, high): (f64, f64),
+) -> Window {
+    let with_needed = taking_in(start, needed.to_vec(), start.center(), ABOUT_NEEDED, for_needed(paper));
+    let shows = taking_in(with_needed, ends, start.center(), BLANK, (LARGEST.0 * wide, LARGEST.1 * high));
+    Window::over(shows, needed)
+}
+
+/// Without what nobody could follow the figure: the centres from which a step measures, the poles of gauge lines, and where
+/// a point comes to lie that is turned about them.
+pub(super) fn needed(transfers: &[&Transfer], circle: &CircleDiagram) -> Vec<Mm2> {
+    let at = |links: [LinkId; 2]| match circle.centre(links)?.place {
+        CentrePlace::At(at) => Some(at),
+        CentrePlace::Toward(_) => None,
+    };
+    let measured = transfers.iter().flat_map(|t| &t.acts).flat_map(measures).flat_map(|(link, spot, _)| {
+        let common = match spot {
+            Spot::Centre(links) => at(links),
+            Spot::Point(_) | Spot::Under(..) => None,
+        };
+        [at(chord(LinkId::FRAME, link)), common]
+    });
+    let turned = strokes(transfers).into_iter().flat_map(|ink| match ink {
+        TransferInk::Arc { centre, from, to } => vec![centre, from, to],
+        TransferInk::Gauge { from, .. } => vec![from],
+        _ => Vec::new(),
+    });
+    measured.flatten().chain(turned).collect()
+}
+
+/// The distances from poles that an act uses: of which link, to where, mm on paper.
+fn measures(act: &TransferAct) -> Vec<(LinkId, Spot, f64)> {
+    match *act {
+        TransferAct::Ratio { input, link, mm, .. } => {
+            let common = Spot::Centre(chord(input, link));
+            vec![(input, common, mm[0]), (link, common, mm[1])]
+        }
+        TransferAct::CommonSpeed { links: [i, k], of, mm, .. } => {
+            vec![(of, Spot::Centre(chord(i, k)), mm)]
+        }
+        TransferAct::AboutPole { link, point, mm, .. } => vec![(link, Spot::Point(point), mm)],
+        TransferAct::Omega { link, spot, mm, .. } => vec![(link, spot, mm)],
+        TransferAct::Translation { .. }
+        | TransferAct::Difference { .. }
+        | TransferAct::Gauge { .. }
+        | TransferAct::Parallel { .. }
+        | TransferAct::OmegaByParallel { .. } => Vec::new(),
+    }
 }
 
 fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, overlay: &mut Overlay) {
@@ -452,7 +516,10 @@ pub fn items(
     figures: &RefCell<Figures>,
 ) -> Vec<Vec<Item>> {
     let mut every = Vec::new();
-    for (index, same) in by_method(circle).into_iter().enumerate() {
+    for index in 0..by_method(circle).len() {
+        let Some(reach) = Reach::of_transfer(index, construction, notation) else { continue };
+        let shown = reach.construction.circle.as_ref().map(by_method).unwrap_or_default();
+        let Some(same) = shown.into_iter().nth(index) else { continue };
         let mut all = vec![Item::Head(title(&same, notation).bolder())];
         let Some(si_per_mm) = same.first().map(|first| first.si_per_mm) else { continue };
         // Each method has readings of its own.
@@ -461,16 +528,16 @@ pub fn items(
         let own = figures.borrow().of_inputs(Apart::Transfer(index), notation);
         let own = if fed { own.with_driven_points(&figures.borrow(), notation) } else { own };
         let own = RefCell::new(own);
-        let metres_per_mm = construction.space.metres_per_mm;
         // What the steps have derived by the same method stands as they have printed it.
         let shared = fed && same.iter().all(|transfer| transfer.method == Method::Centres);
         let figures_here = if shared { figures } else { &own };
-        let teller = Teller { notation, metres_per_mm, si_per_mm, figures: figures_here };
+        let teller = Teller { notation, reach: &reach, si_per_mm, figures: figures_here };
         let mut told: Vec<&TransferAct> = Vec::new();
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
                 told.push(act);
                 all.extend(teller.measured(act).into_iter().map(Item::Sentence));
+                all.extend(teller.gauge_of_rate(act, &same).map(Item::Sentence));
                 all.push(Item::Sentence(teller.sentence(act)));
             }
         }
@@ -496,14 +563,18 @@ pub(super) fn lines(
     figures: &RefCell<Figures>,
 ) -> Vec<Rich> {
     let Some(diagram) = construction.diagram(DiagramKind::Velocity) else { return Vec::new() };
-    let metres_per_mm = construction.space.metres_per_mm;
-    let teller = Teller { notation, metres_per_mm, si_per_mm: diagram.si_per_mm, figures };
+    // It is measured where the centres are drawn.
+    let Some(reach) = Reach::of_centres(construction, notation) else { return Vec::new() };
+    let by = construction.space.metres_per_mm / reach.construction.space.metres_per_mm;
+    let part = &part.with_lengths_by(by);
+    let teller = Teller { notation, reach: &reach, si_per_mm: diagram.si_per_mm, figures };
     teller.measured(part).into_iter().chain([teller.sentence(part)]).collect()
 }
 
 struct Teller<'a> {
     notation: &'a Notation<'a>,
-    metres_per_mm: f64,
+    /// The figure on which it is measured.
+    reach: &'a Reach<'a>,
     /// Of the velocities on the skeleton.
     si_per_mm: f64,
     /// How each number is printed.
@@ -511,8 +582,35 @@ struct Teller<'a> {
 }
 
 impl Teller<'_> {
+    fn metres_per_mm(&self) -> f64 {
+        self.reach.construction.space.metres_per_mm
+    }
+
     fn omega(&self, link: LinkId) -> Rich {
         self.notation.symbol(Quantity::Omega(link), false)
+    }
+
+    /// Of a pole and of where a distance from it ends, the centre that is not on the paper; none where both are.
+    fn beyond(&self, link: LinkId, spot: Spot) -> Option<[LinkId; 2]> {
+        let pole = chord(LinkId::FRAME, link);
+        let end = match spot {
+            Spot::Centre(links) => Some(links),
+            Spot::Point(_) | Spot::Under(..) => None,
+        };
+        end.into_iter().chain([pole]).find(|links| self.reach.lies_beyond(*links))
+    }
+
+    /// That the slope of a gauge line is the rate, where the method is that of gauge lines.
+    fn gauge_of_rate(&self, act: &TransferAct, same: &[&Transfer]) -> Option<Rich> {
+        let TransferAct::Omega { link, spot, .. } = *act else { return None };
+        same.iter().any(|transfer| transfer.method == Method::GaugeLine).then(|| {
+            let parts = [
+                ("pole", name(chord(LinkId::FRAME, link), self.notation)),
+                ("velocity", spot_velocity(spot, self.notation)),
+                ("omega", self.omega(link)),
+            ];
+            Rich::fill(self.notation.words.transfer_gauge_omega, &parts)
+        })
     }
 
     /// A rate as it is told, with its sense.
@@ -542,7 +640,7 @@ impl Teller<'_> {
 
     /// The distance of a place from the pole of a link, measured on paper.
     fn radius<'u>(&self, link: LinkId, spot: Spot, mm: f64, unit: &'u Unit) -> (Key, f64, &'u Unit) {
-        (Key::Radius(chord(LinkId::FRAME, link), spot), mm.abs() * self.metres_per_mm, unit)
+        (Key::Radius(chord(LinkId::FRAME, link), spot), mm.abs() * self.metres_per_mm(), unit)
     }
 
     /// The parts of a line `V = ω · distance = … · … = …`.
@@ -570,22 +668,13 @@ impl Teller<'_> {
 
     /// The distances from poles that a line is about to use and nobody has measured yet.
     fn measured(&self, act: &TransferAct) -> Vec<Rich> {
-        let all = match *act {
-            TransferAct::Ratio { input, link, mm, .. } => {
-                let common = Spot::Centre(chord(input, link));
-                vec![(input, common, mm[0]), (link, common, mm[1])]
+        let all = measures(act).into_iter().map(|(link, spot, mm)| match spot {
+            Spot::Point(point) if !self.notation.mechanism().link(link).points.contains(&point) => {
+                (link, Spot::Under(point, link), mm)
             }
-            TransferAct::CommonSpeed { links: [i, k], of, mm, .. } => {
-                vec![(of, Spot::Centre(chord(i, k)), mm)]
-            }
-            TransferAct::AboutPole { link, point, mm, .. } => {
-                let own = self.notation.mechanism().link(link).points.contains(&point);
-                vec![(link, if own { Spot::Point(point) } else { Spot::Under(point, link) }, mm)]
-            }
-            TransferAct::Omega { link, spot, mm, .. } => vec![(link, spot, mm)],
-            _ => Vec::new(),
-        };
-        all.into_iter().filter_map(|(link, spot, mm)| self.measured_radius(link, spot, mm)).collect()
+            _ => (link, spot, mm),
+        });
+        all.filter_map(|(link, spot, mm)| self.measured_radius(link, spot, mm)).collect()
     }
 
     fn measured_radius(&self, link: LinkId, spot: Spot, mm: f64) -> Option<Rich> {
@@ -594,7 +683,7 @@ impl Teller<'_> {
         if self.figures.borrow().has(key) {
             return None;
         }
-        let (factor, exact) = (self.metres_per_mm / unit.si, metres / unit.si);
+        let (factor, exact) = (self.metres_per_mm() / unit.si, metres / unit.si);
         let more = self.figures.borrow().more(key).min(1);
         let told = human::reading_exactly(mm.abs(), factor, more);
         let (mm, value, written) = told.unwrap_or_else(|| human::reading_at(mm.abs(), factor, exact, more));
@@ -605,7 +694,11 @@ impl Teller<'_> {
         };
         let length = distance(chord(LinkId::FRAME, link), &end, self.notation);
         let value = human::with_unit(&value, &unit.symbol);
-        Some(super::steps::measured_length(length, [mm, value], self.metres_per_mm, self.notation))
+        if let Some(centre) = self.beyond(link, spot) {
+            let parts = [("centre", name(centre, self.notation)), ("length", length), ("value", value)];
+            return Some(Rich::fill(self.notation.words.distance_beyond, &parts));
+        }
+        Some(super::steps::measured_length(length, [mm, value], self.metres_per_mm(), self.notation))
     }
 
     fn sentence(&self, act: &TransferAct) -> Rich {
@@ -722,17 +815,17 @@ impl Teller<'_> {
                 let against = mm[0] < 0.0;
                 let reckon = |[a, b]: [f64; 2]| {
                     let apart = if against { a + b } else { (a - b).abs() };
-                    apart * self.si_per_mm / (b * self.metres_per_mm) / w.si
+                    apart * self.si_per_mm / (b * self.metres_per_mm()) / w.si
                 };
                 let [a, b] = human::readings(mm.map(f64::abs), omega.abs() / w.si, reckon);
                 let (key, omega_si, _) = rate(link, omega);
                 let value = self.figures.borrow_mut().tell(key, omega_si, &w);
                 let (v, unit) = (self.notation.unit(Dimension::Velocity), &self.notation.scene.units.length);
                 let [apart] = human::readings([(mm[0] - mm[1]).abs()], omega.abs() / w.si, |[apart]| {
-                    apart * self.si_per_mm / (mm[1].abs() * self.metres_per_mm) / w.si
+                    apart * self.si_per_mm / (mm[1].abs() * self.metres_per_mm()) / w.si
                 });
                 let quotient = apart.clone().up("\u{a0}×\u{a0}").then(&human::stated(self.si_per_mm / v.si));
-                let length = human::quantity(mm[1].abs() * self.metres_per_mm, unit);
+                let length = human::quantity(mm[1].abs() * self.metres_per_mm(), unit);
                 let quotient = quotient.up("\u{a0}/\u{a0}").then(&length);
                 let parts = [
                     ("apart", apart),
@@ -748,8 +841,11 @@ impl Teller<'_> {
                     ("b", b),
                     ("value", self.turning(&value, omega)),
                 ];
-                let template =
-                    if flat { words.transfer_onto_parallel_flat } else { words.transfer_onto_parallel };
+                let template = match flat {
+                    _ if self.notation.mechanism().is_fixed(to) => words.transfer_onto_fixed,
+                    true => words.transfer_onto_parallel_flat,
+                    false => words.transfer_onto_parallel,
+                };
                 let drawn = Rich::fill(template, &parts);
                 let told = Rich::fill(words.transfer_omega_by_parallel[usize::from(against)], &parts);
                 drawn.up(" ").then(&told)

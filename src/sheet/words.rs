@@ -357,7 +357,15 @@ pub struct Words {
     pub transfer_parallel_flat: &'static str,
     pub transfer_onto_parallel: &'static str,
     pub transfer_onto_parallel_flat: &'static str,
+    /// B is a fixed pivot: "{known}", "{from}", "{to}", "{pole}".
+    pub transfer_onto_fixed: &'static str,
     pub transfer_omega: &'static str,
+    /// "{pole}", "{velocity}", "{omega}".
+    pub transfer_gauge_omega: &'static str,
+    /// A distance from or to a centre that is not on the paper: "{centre}", "{length}", "{value}".
+    pub distance_beyond: &'static str,
+    /// Places of centres that are not on the paper: "{list}".
+    pub centres_beyond: &'static str,
     pub transfer_omega_by_parallel: [&'static str; 2],
     // Forces.
     pub loads_figure: &'static str,
@@ -822,7 +830,11 @@ const ENGLISH: Words = Words {
     transfer_parallel_flat: "{from}, {to} and {pole} are in one line: {velocity} is to {known} as the distances from {pole}; {mm}, that is {value}.",
     transfer_onto_parallel: "Turn {known} by 90° onto the line from {from} to {pole}: {from}′. The parallel to {line} through it meets the line from {to} to {pole} in {to}′.",
     transfer_onto_parallel_flat: "Turn {known} by 90° onto the line from {from} to {pole}: {from}′. {from}, {to} and {pole} are in one line: {to}{to}′ is to {from}{from}′ as the distances from {pole}.",
+    transfer_onto_fixed: "Turn {known} by 90° onto the line from {from} to {pole}: {from}′. {to} is at rest, so that {to}′ is {to} itself.",
     transfer_omega: "{omega} = {velocity} / {distance} = {speed} / {length} = {value}.",
+    transfer_gauge_omega: "Draw the gauge line from {pole} through the tip of {velocity}: its slope against the radius is {omega}.",
+    distance_beyond: "{centre} is not on the paper: {length} = {value}, calculated from the lines that meet there.",
+    centres_beyond: "Not on the paper, calculated from the lines that meet there: {list}.",
     transfer_omega_by_parallel: [
         "{from}′{to}′ = {a} and {line} = {b} differ by {apart}, which is {relative} turned: {omega} = {quotient} = {value}.",
         "{from}′{to}′ = {a} lies against {line} = {b}; together they are {apart}, which is {relative} turned: {omega} = {quotient} = {value}.",
@@ -1291,7 +1303,11 @@ const ARABIC: Words = Words {
     transfer_parallel_flat: "تقع {from} و {to} و {pole} على خط واحد: نسبة {velocity} إلى {known} كنسبة البعدين عن {pole}، أي {mm} وهي {value}.",
     transfer_onto_parallel: "ندير {known} بزاوية 90° إلى الخط من {from} إلى {pole} فنحصل على {from}′. يقطع الموازي للخط {line} المار منها الخط من {to} إلى {pole} في {to}′.",
     transfer_onto_parallel_flat: "ندير {known} بزاوية 90° إلى الخط من {from} إلى {pole} فنحصل على {from}′. تقع {from} و {to} و {pole} على خط واحد: نسبة {to}{to}′ إلى {from}{from}′ كنسبة البعدين عن {pole}.",
+    transfer_onto_fixed: "ندير {known} بزاوية 90° إلى الخط من {from} إلى {pole} فنحصل على {from}′. النقطة {to} ساكنة، فتنطبق {to}′ على {to} نفسها.",
     transfer_omega: "السرعة الزاوية {omega} = {velocity} / {distance} = {speed} / {length} = {value}.",
+    transfer_gauge_omega: "نرسم خط التناسب من {pole} مارا بنهاية {velocity}: ميله على نصف القطر هو {omega}.",
+    distance_beyond: "يقع {centre} خارج الورقة: بالحساب من الخطين المتقاطعين فيه {length} = {value}.",
+    centres_beyond: "خارج الورقة، بالحساب من الخطوط المتقاطعة فيه: {list}.",
     transfer_omega_by_parallel: [
         "بالقياس {from}′{to}′ = {a} و {line} = {b}، والفرق بينهما {apart} هو {relative} بعد التدوير، أي {omega} = {quotient} = {value}.",
         "بالقياس {from}′{to}′ = {a} بعكس اتجاه {line} = {b}، ومجموعهما {apart} هو {relative} بعد التدوير، أي {omega} = {quotient} = {value}.",
@@ -1806,7 +1822,11 @@ const PERSIAN: Words = Words {
     transfer_parallel_flat: "نقاط {from} و {to} و {pole} روی یک خط‌اند: نسبت {velocity} به {known} برابر نسبت فاصله‌ها از {pole} است؛ {mm}، یعنی {value}.",
     transfer_onto_parallel: "سرعت {known} را 90° روی خط {from} تا {pole} می‌چرخانیم: {from}′. موازی {line} از آن، خط {to} تا {pole} را در {to}′ قطع می‌کند.",
     transfer_onto_parallel_flat: "سرعت {known} را 90° روی خط {from} تا {pole} می‌چرخانیم: {from}′. نقاط {from} و {to} و {pole} روی یک خط‌اند: نسبت {to}{to}′ به {from}{from}′ برابر نسبت فاصله‌ها از {pole} است.",
+    transfer_onto_fixed: "سرعت {known} را 90° روی خط {from} تا {pole} می‌چرخانیم: {from}′. نقطهٔ {to} ساکن است، پس {to}′ همان {to} است.",
     transfer_omega: "سرعت زاویه‌ای {omega} = {velocity} / {distance} = {speed} / {length} = {value}.",
+    transfer_gauge_omega: "خط تناسب را از {pole} و نوک {velocity} می‌گذرانیم: شیب آن نسبت به شعاع برابر {omega} است.",
+    distance_beyond: "مرکز {centre} بیرون از کاغذ است: از دو خطی که آنجا به هم می‌رسند با محاسبه {length} = {value}.",
+    centres_beyond: "بیرون از کاغذ، با محاسبه از خط‌هایی که آنجا به هم می‌رسند: {list}.",
     transfer_omega_by_parallel: [
         "با اندازه‌گیری {from}′{to}′ = {a} و {line} = {b}؛ تفاوت آن‌ها {apart} همان {relative} چرخیده است: {omega} = {quotient} = {value}.",
         "با اندازه‌گیری {from}′{to}′ = {a} خلاف جهت {line} = {b} است؛ جمع آن‌ها {apart} همان {relative} چرخیده است: {omega} = {quotient} = {value}.",

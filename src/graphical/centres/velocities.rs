@@ -491,6 +491,9 @@ impl Draughtsman<'_> {
                 let square = self.board.quarter_turn(away);
                 let [along, _] = self.board.square_off(Line { through: from, along: square }, tip);
                 if omega_too {
+                    // Its slope is ω.
+                    let [from, to] = [from, tip].map(|at| at.value());
+                    self.draw_transfer(TransferInk::Gauge { from: pole.value(), to, foot: from });
                     return Ok(FromCentres::Scalar(self.omega_by(link, Spot::Point(pin), along, radius)));
                 }
                 let velocity = self.on_gauge(pole, (from, along, Spot::Point(pin)), to, reason);
