@@ -1452,6 +1452,19 @@ pub enum Act {
         /// Length in metres.
         value: f64,
     },
+    /// Draw the line of a rack that is pinned to a known joint so that it touches a wheel whose centre stands.
+    DrawTouching {
+        /// The rack.
+        link: LinkId,
+        /// Its pin.
+        base: PointId,
+        /// The wheel's centre.
+        centre: PointId,
+        /// How far the rack's line runs from the pin, metres; zero where it runs through it.
+        offset: f64,
+        /// The wheel's radius in metres.
+        radius: f64,
+    },
     /// Mark the contact point of a rolling pair.
     MarkContact {
         /// The contact point.

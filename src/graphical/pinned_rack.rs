@@ -14,6 +14,9 @@ use super::pose::{Pose, Track};
 use super::position::chooses;
 use super::{DrawError, Misfit};
 
+/// A line that is nearer to a pin than this part of the pin's distance from the wheel runs through it.
+const THROUGH_THE_PIN: f64 = 1e-9;
+
 impl Draughtsman<'_> {
     /// The pose of a pinned rack, with its wanted points and the contact.
     pub(super) fn pinned_rack(
@@ -86,7 +89,8 @@ impl Draughtsman<'_> {
         let own_anchor = self.own(link, base);
         let circle = Circle { centre: own_anchor, radius: distance };
         let mut poses = Vec::new();
-        for track in self.own_centre_tracks(roll) {
+        let own_line = self.own_rack_line(roll);
+        for track in own_line.map_or(Vec::new(), |line| self.own_centre_tracks(line, roll)) {
             let Ok(pair) = self.board.meet_line_circle(track, circle, reason) else { continue };
             let sides = if pair.tangent { &[Side::First][..] } else { &[Side::First, Side::Second] };
             for &side in sides {
@@ -116,13 +120,28 @@ impl Draughtsman<'_> {
             });
         }
         self.chosen(best);
+        if let (Roll::Line { radius, .. }, Some(line)) = (&self.mechanism.rolls[roll], own_line) {
+            let (pin, through, along) = (own_anchor.value(), line.through.value(), line.along.value());
+            let offset = ((pin[0] - through[0]) * along[1] - (pin[1] - through[1]) * along[0]).abs();
+            // What is left of a line through the pin itself is no distance from it.
+            let offset = if offset > THROUGH_THE_PIN * distance.value() { offset * per_mm } else { 0.0 };
+            self.act(Act::DrawTouching { link, base, centre, offset, radius: radius.value });
+        }
         Ok(poses[best])
     }
 
+    /// A rack's line in its own figure; none of an arc.
+    fn own_rack_line(&mut self, roll: usize) -> Option<Line> {
+        let Roll::Line { guide, .. } = self.mechanism.rolls[roll] else { return None };
+        match self.own_line(&guide) {
+            Track::Straight(line) => Some(line),
+            Track::Arc(_) => None,
+        }
+    }
+
     /// In a rack's own figure the parallels to its line on which the wheel's centre can lie.
-    fn own_centre_tracks(&mut self, roll: usize) -> Vec<Line> {
-        let Roll::Line { guide, radius, .. } = self.mechanism.rolls[roll] else { return Vec::new() };
-        let Track::Straight(line) = self.own_line(&guide) else { return Vec::new() };
+    fn own_centre_tracks(&mut self, line: Line, roll: usize) -> Vec<Line> {
+        let Roll::Line { radius, .. } = self.mechanism.rolls[roll] else { return Vec::new() };
         let scale = self.length_scale();
         let radius = self.board.amount(radius);
         let mm = self.board.to_paper(radius, scale);

@@ -21,7 +21,7 @@ use crate::graphical::auxiliary::{
 };
 use crate::graphical::construction::{Construction, Label};
 use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Mass, Share};
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 
@@ -1050,6 +1050,11 @@ impl Teller<'_> {
                 let factors = [(Some(all), moments, &watt), (Some(rate_key), speed, &rate_unit)];
                 let reckon = |x: &[f64]| x[0].copysign(-moments) / x[1].copysign(speed);
                 let (x, text, _) = figures.line_of(&factors, (Some(result), effort, &own), reckon);
+                // The table says what this line says.
+                if let Some(print) = figures.print_of(result).cloned() {
+                    let asked = Key::of(Quantity::Force(of, Share::Total), n);
+                    figures.keep_result(Method::Lever, asked, print);
+                }
                 let sign = |value: f64| if value < 0.0 { "−" } else { "" };
                 let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
                 let line =

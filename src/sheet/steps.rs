@@ -981,6 +981,18 @@ impl Teller<'_> {
                     ("line", n.claim(Claim::Parallel(Reference::Points(*centre, *contact)))),
                 ],
             ),
+            Act::DrawTouching { link, base, centre, offset, radius } => {
+                let unit = &n.scene.units.length;
+                let parts = [
+                    ("link", Rich::upright(n.number(*link))),
+                    ("base", n.point(*base)),
+                    ("centre", n.point(*centre)),
+                    ("line", n.length(*base, *centre)),
+                    ("radius", human::quantity(*radius, unit)),
+                    ("offset", human::quantity(*offset, unit)),
+                ];
+                Rich::fill(if *offset > 0.0 { words.touch_beside } else { words.touch_through }, &parts)
+            }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::DrawStatedRay { from, angle, .. } => Rich::fill(
                 words.draw_stated_ray,

@@ -256,6 +256,10 @@ pub struct Words {
     pub flat_crossing: &'static str,
     pub transfer_point: &'static str,
     pub transfer_point_lengths: &'static str,
+    /// The line of a rack through its pin touches a wheel: "{link}", "{base}", "{centre}", "{line}", "{radius}".
+    pub touch_through: &'static str,
+    /// The same of one that runs past its pin at "{offset}".
+    pub touch_beside: &'static str,
     pub mark_contact: &'static str,
     /// At the tip of an arrow: how far on a centre lies, `{distance}`, `{centre}`.
     pub further_to: &'static str,
@@ -751,6 +755,8 @@ const ENGLISH: Words = Words {
     transfer_point: "Mark {point} on link {link} by the link’s own dimensions.",
     transfer_point_lengths: "Mark {point} on link {link}: {lengths}.",
     further_to: "{distance} to {centre}",
+    touch_through: "The line of link {link} touches the circle of the radius {radius} about {centre}: Thales’ circle over {line} meets it in the point of contact. Draw the line from {base} through it.",
+    touch_beside: "The line of link {link} runs {offset} past {base} and touches the circle of the radius {radius} about {centre}: strike {offset} about {base} as well and draw the common tangent.",
     mark_contact: "Mark the contact point {point}.",
     no_dyad_alone: "No dyad of this group is solvable alone.",
     try_position_rod: "Turn link {link} by trial; {near} runs along its trial curve. Take the position in which {length} has its given length.",
@@ -1223,6 +1229,8 @@ const ARABIC: Words = Words {
     transfer_point: "نعيّن النقطة {point} على الوصلة {link} بأبعادها المعطاة.",
     transfer_point_lengths: "نعيّن النقطة {point} على الوصلة {link} حيث {lengths}.",
     further_to: "{distance} إلى {centre}",
+    touch_through: "يمس خط الوصلة {link} الدائرة التي نصف قطرها {radius} حول {centre}: تقطعها دائرة طاليس على {line} في نقطة التماس، ونرسم الخط من {base} مارا بها.",
+    touch_beside: "يبعد خط الوصلة {link} عن {base} مسافة {offset} ويمس الدائرة التي نصف قطرها {radius} حول {centre}: نرسم حول {base} دائرة نصف قطرها {offset} ثم المماس المشترك.",
     mark_contact: "نعيّن نقطة التماس {point}.",
     no_dyad_alone: "لا تحل أي ثنائية من هذه المجموعة وحدها.",
     try_position_rod: "ندير الوصلة {link} بالتجريب فتتحرك {near} على منحني التجريب. نأخذ الوضع الذي يأخذ فيه الطول {length} قيمته المعطاة.",
@@ -1742,6 +1750,8 @@ const PERSIAN: Words = Words {
     transfer_point: "نقطهٔ {point} را روی بند {link} با اندازه‌های همان بند مشخص می‌کنیم.",
     transfer_point_lengths: "نقطهٔ {point} را روی بند {link} مشخص می‌کنیم: {lengths}.",
     further_to: "{distance} تا {centre}",
+    touch_through: "خط بند {link} بر دایره‌ای به مرکز {centre} و شعاع {radius} مماس است: دایرهٔ تالس روی {line} آن را در نقطهٔ تماس قطع می‌کند؛ خط را از {base} و این نقطه می‌کشیم.",
+    touch_beside: "خط بند {link} به فاصلهٔ {offset} از {base} می‌گذرد و بر دایره‌ای به مرکز {centre} و شعاع {radius} مماس است: دایره‌ای به مرکز {base} و شعاع {offset} و سپس مماس مشترک را می‌کشیم.",
     mark_contact: "نقطهٔ تماس {point} را مشخص می‌کنیم.",
     no_dyad_alone: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست.",
     try_position_rod: "بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن {length} طول داده‌شدهٔ خود را دارد.",
