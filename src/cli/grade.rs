@@ -11,7 +11,7 @@ use crate::parallel;
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::{Diagnostic, Scene};
-use crate::sheet::{Figure, Language};
+use crate::sheet::{self, Figure, Language};
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
@@ -93,6 +93,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         settings.max_tolerance = most;
     }
     settings.trusts_answers = job.trust_answers;
+    settings.printed = matches!(output, Some(Output::Page(_) | Output::Folder(_)));
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
@@ -535,7 +536,9 @@ fn page(title: &str, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>
     let svg = figure.map(|figure| render::render(figure, Format::Svg, &options)).transpose();
     let svg = svg.map_err(|error| Failure(error.to_string()))?;
     let svg = svg.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    Ok(report.to_html(title, svg.as_deref()).into_bytes())
+    let strips: Vec<(f64, f64)> =
+        figure.map(sheet::strips).unwrap_or_default().iter().map(|strip| (strip.y0, strip.y1)).collect();
+    Ok(report.to_html_cut(title, svg.as_deref(), &strips).into_bytes())
 }
 
 /// Takes the drawing that the answers name; what is wrong with its place is told at the key that names it.

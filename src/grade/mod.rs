@@ -97,6 +97,8 @@ pub struct GradeSettings {
     pub by_parts: bool,
     /// In which language the report is told.
     pub language: Language,
+    /// Whether the overlay is for a printed page: in strips, none wider than the page, all names as large as they are to be read.
+    pub printed: bool,
 }
 
 impl Default for GradeSettings {
@@ -108,6 +110,7 @@ impl Default for GradeSettings {
             trusts_answers: false,
             by_parts: false,
             language: Language::default(),
+            printed: false,
         }
     }
 }
@@ -165,6 +168,15 @@ pub fn grade_with_overlay(
             own.forces.extend(forces);
         }
     }
+    // What is right as far as it can be measured stands elsewhere all the same: of two centres interchanged both are shown.
+    let off = |index: &usize| {
+        let miss = || case.miss(*index, case.truth[*index].as_deref(), case.rooms[*index]);
+        !amiss(index) && judgement.verdicts[*index] == Verdict::Right && miss() > 1.0
+    };
+    let beside = (0..judgement.verdicts.len()).filter(off).filter_map(|index| case.place_handed_in(index));
+    if !own.places.is_empty() {
+        own.places.extend(beside);
+    }
     let named: Vec<String> = report
         .quantities
         .iter()
@@ -196,7 +208,9 @@ pub fn grade_with_overlay(
         }
     }
     let (balance, drawn) = (case.balance(), (&student.construction, &own));
-    let figure = crate::sheet::overlay(scene, &right, drawn, balance, (&faults, settings.language));
+    let told = (&faults[..], settings.language);
+    let left = settings.printed.then(|| report.leaves_of_page());
+    let figure = crate::sheet::overlay(scene, &right, drawn, balance, told, left);
     Ok((report, figure))
 }
 

@@ -8,7 +8,7 @@ use super::phrase::{Phrase, say};
 use super::report::Report;
 use super::text::{marks, sentence};
 
-/// On paper the figure takes what the rest leaves of one sheet.
+/// On paper the figure keeps its size: names are to be read. What has no room goes on overleaf.
 const STYLE: &str = "\
 @page{size:A4;margin:15mm}\
 body{font:11pt/1.35 Georgia,'Times New Roman',serif;max-width:180mm;margin:1em auto;color:#111}\
@@ -28,18 +28,68 @@ tr.unread td:first-child::before{content:'? '}\
 p.sum{font-weight:bold;text-align:end;margin:.4em 0 1em}\
 ol{padding-inline-start:1.2em}\
 figure{direction:ltr;margin:1em 0;break-inside:avoid}\
-figure svg{max-width:100%;height:auto;max-height:150mm}\
+figure svg{display:block;max-width:100%;height:auto}\
 small{color:#444}\
 @media print{\
-body{margin:0;max-width:none;display:flex;flex-direction:column;height:266mm;font-size:10pt;line-height:1.25}\
+body{margin:0;max-width:none;font-size:10pt;line-height:1.25}\
 table{font-size:9pt}\
+tr,li{break-inside:avoid}\
 p.who{margin:.1em 0 .4em}\
 p.sum{margin:.2em 0 .4em}\
 ol{margin:.2em 0}\
 th,td{padding-block:.1em}\
-figure{flex:1 1 0;min-height:90mm;margin:.3em 0}\
-figure svg{display:block;width:100%;height:100%;max-height:none}\
+figure{margin:3mm 0}\
 small{display:block;font-size:7.5pt;line-height:1.15}}";
+
+/// The part of an SVG between its opening tag and its end, or what of it is seen between two heights: the drawing itself the first
+/// time, then the same once more.
+fn cut(svg: &str, strips: &[(f64, f64)]) -> String {
+    let start = svg.find("<svg").unwrap_or(0);
+    let whole = &svg[start..];
+    let Some((tag, inside)) = whole.split_once('>').filter(|_| strips.len() > 1) else {
+        return format!("<figure>\n{whole}\n</figure>\n");
+    };
+    let attribute = |name: &str| {
+        let at = tag.find(&format!(" {name}=\""))? + name.len() + 3;
+        Some((at, at + tag[at..].find('"')?))
+    };
+    let (Some(height), Some(window)) = (attribute("height"), attribute("viewBox")) else {
+        return format!("<figure>\n{whole}\n</figure>\n");
+    };
+    let width = tag[window.0..window.1].split(' ').nth(2).unwrap_or_default();
+    let mut all = String::new();
+    for (place, (top, bottom)) in strips.iter().enumerate() {
+        let (top, high) = (top - BLANK, bottom - top + 2.0 * BLANK);
+        let mut own = tag.to_owned();
+        let mut set = [(height, format!("{high:.3}mm")), (window, format!("0 {top:.3} {width} {high:.3}"))];
+        // From behind, so that the places before stay.
+        set.sort_by_key(|((at, _), _)| std::cmp::Reverse(*at));
+        for ((from, to), value) in set {
+            own.replace_range(from..to, &value);
+        }
+        let _ = if place == 0 {
+            // The same name in every report: a page has one.
+            let inside =
+                inside.replacen("<g class=\"overlay\"", &format!("<g id=\"{ID}\" class=\"overlay\""), 1);
+            writeln!(all, "<figure>\n{own}>{inside}\n</figure>")
+        } else {
+            let own = own.replace(" role=\"img\"", " aria-hidden=\"true\"");
+            let own = match own.split_once(" aria-labelledby=\"") {
+                Some((before, after)) => {
+                    before.to_owned() + after.split_once('"').map_or("", |(_, rest)| rest)
+                }
+                None => own,
+            };
+            writeln!(all, "<figure>\n{own}><use href=\"#{ID}\"/></svg>\n</figure>")
+        };
+    }
+    all
+}
+
+/// Blank about a strip, mm.
+const BLANK: f64 = 1.0;
+/// The name of the drawing on the page.
+const ID: &str = "overlay";
 
 /// Units as people write them.
 fn unit(text: &str) -> String {
@@ -53,6 +103,56 @@ fn is_arabic(sign: char) -> bool {
 }
 
 impl Report {
+    /// About how much of a printed page the report leaves to its figure, mm, in a wide typeface.
+    pub(super) fn leaves_of_page(&self) -> f64 {
+        /// Between the margins.
+        const PAGE: (f64, f64) = (180.0, 266.0);
+        /// Title, name, head of the table and sum.
+        const HEADS: f64 = 30.0;
+        /// A sign and a line of the table, of what is said of faults and of the tolerances.
+        const TABLE: (f64, f64) = (1.65, 4.0);
+        const SAID: (f64, f64) = (1.9, 4.4);
+        const TOLERANCES: (f64, f64) = (1.4, 3.8);
+        /// What a cell holds beyond that, most signs being narrower.
+        const SLACK: f64 = 1.15;
+        /// Between two rows of the table, and about a paragraph.
+        const GAP: f64 = 0.9;
+        let count = |phrase: &Phrase| phrase.told(self.language).chars().count();
+        let lines = |signs: usize, room: f64, sign: f64| (signs as f64 * sign / room).ceil().max(1.0);
+        let paragraph = |signs: usize, (sign, line): (f64, f64)| lines(signs, PAGE.0, sign) * line;
+        // A column is as wide as its longest text, or takes its part of what there is; names are not broken.
+        let cells: Vec<[usize; 4]> = self
+            .quantities
+            .iter()
+            .map(|graded| {
+                let right = if graded.right.is_empty() { 0 } else { count(&graded.expected_within()) };
+                [graded.name.chars().count(), count(&graded.handed_in()), right, count(&graded.judged())]
+            })
+            .collect();
+        let widest = |column: usize| cells.iter().map(|row| row[column]).max().unwrap_or(0) as f64 * TABLE.0;
+        // Marks, and the blanks between columns.
+        let room = PAGE.0 - widest(0) - 26.0;
+        let wanted: f64 = (1..4).map(widest).sum();
+        let part = (room / wanted.max(1.0)).min(1.0);
+        let row = |row: &[usize; 4]| {
+            let high =
+                (1..4).map(|column| lines(row[column], (part * widest(column)).max(1.0) * SLACK, TABLE.0));
+            GAP + high.fold(1.0, f64::max) * TABLE.1
+        };
+        let rows: f64 = cells.iter().map(row).sum();
+        let unread = self.not_read.iter().map(|one| one.why.to_string().chars().count() + 20);
+        let missing = (!self.missing.is_empty()).then(|| self.names_of_missing().chars().count());
+        let more: f64 = unread.chain(missing).map(|signs| GAP + paragraph(signs, TABLE)).sum();
+        let notes: f64 = self.notes().iter().map(|note| 8.0 * GAP + paragraph(count(note), SAID)).sum();
+        let wrong = self.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
+        let wrong =
+            wrong.map(|graded| paragraph(count(&sentence(graded)) + graded.name.chars().count(), SAID));
+        let because =
+            self.quantities.iter().map(|graded| graded.name.chars().count() + count(&graded.because()) + 4);
+        let because = 5.0 * GAP + paragraph(because.sum(), TOLERANCES);
+        PAGE.1 - HEADS - rows - more - notes - wrong.sum::<f64>() - because
+    }
+
     /// A sentence as hypertext, with names as the sheet prints them.
     fn html(&self, phrase: &Phrase) -> String {
         self.symbols.html(&phrase.told(self.language))
@@ -86,6 +186,13 @@ impl Report {
     /// The report as a page of hypertext, with the overlay (an SVG) where there is one.
     #[must_use]
     pub fn to_html(&self, title: &str, overlay: Option<&str>) -> String {
+        self.to_html_cut(title, overlay, &[])
+    }
+
+    /// The same with the overlay cut into strips, each between two heights (mm from the top of the figure), so that a page of paper
+    /// may end between any two of them.
+    #[must_use]
+    pub fn to_html_cut(&self, title: &str, overlay: Option<&str>, strips: &[(f64, f64)]) -> String {
         let who = self.student.as_deref().unwrap_or("");
         let words = self.language.words();
         let mut page = format!(
@@ -162,8 +269,7 @@ impl Report {
             page.push_str("</ol>\n");
         }
         if let Some(svg) = overlay {
-            let start = svg.find("<svg").unwrap_or(0);
-            let _ = writeln!(page, "<figure>\n{}\n</figure>", &svg[start..]);
+            page.push_str(&cut(svg, strips));
         }
         let because: Vec<String> = self
             .quantities

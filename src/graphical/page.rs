@@ -77,6 +77,16 @@ impl Construction {
         }
         own
     }
+
+    /// Skeleton and polygons so many times as large on paper, and nothing else of it: for a figure that shows them alone.
+    pub fn resize(&mut self, times: f64) {
+        let per_mm = self.space.metres_per_mm;
+        space(&mut self.space, times, per_mm / times);
+        for drawn in &mut self.diagrams {
+            let per_mm = drawn.si_per_mm;
+            diagram(drawn, times, per_mm / times);
+        }
+    }
 }
 
 impl TransferAct {

@@ -7,10 +7,11 @@ use super::feet::told_apart;
 use super::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape, Tone};
 use super::force_names;
 use super::ink::{FINE, HEAD, SMALL, THIN, head, page};
+use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::polygon;
 use super::rich::Rich;
-use super::skeleton;
+use super::skeleton::{self, Arrows};
 use super::words::{Language, Words};
 use crate::graphical::construction::{Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind};
 use crate::mechanism::force::{Action, Party};
@@ -26,14 +27,20 @@ const CIRCLE: f64 = 4.5;
 const BLANK: f64 = 8.0;
 /// Blank between two polygons side by side, mm.
 const BETWEEN: f64 = 14.0;
-/// Room of a page for them, mm.
-const PAGE: (f64, f64) = (180.0, 150.0);
+/// Room of a sheet for them, mm.
+const SHEET: (f64, f64) = (180.0, 150.0);
+/// Width of a printed page between its margins, mm.
+const PAGE: f64 = 180.0;
+/// Room of one drawing on a printed page, mm: the first in which all fit what is left of the page.
+const ROOMS: [(f64, f64); 5] = [(PAGE, 150.0), (PAGE, 100.0), (PAGE, 72.0), (83.0, 100.0), (83.0, 72.0)];
+/// Where all do not fit it, the report goes on overleaf, as long as the first strip does.
+const OVERLEAF: f64 = 250.0;
+/// How often a drawing is made smaller that does not fit its room: names do not shrink with it.
+const TRIES: usize = 5;
 /// From one line of a caption to the next, mm.
 const LINE: f64 = 4.6;
 /// Captions are not set narrower than this, mm.
 const NARROWEST: f64 = 80.0;
-/// How far a letter stands from what it names, mm.
-const OFF: [f64; 3] = [2.4, 3.6, 5.2];
 
 /// Where a fault shows, and its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,13 +97,13 @@ pub struct HandedIn {
 
 /// So many times as far from the pole as the farthest image of the right polygon stands what is still drawn of the
 /// student's.
-const FARTHEST: f64 = 3.0;
+const FARTHEST: f64 = 2.5;
+/// So many times as far stands the border to which the rest is drawn.
+const BORDER: f64 = 1.5;
 /// The largest force of a body, mm.
 const LARGEST_FORCE: f64 = 60.0;
 /// So far beside each other stand a student's forces there and back, mm.
 const BESIDE: f64 = 1.6;
-/// Where on its arrow a force is named: nearer to its head, so that those there and back are not named at one place.
-const NAMED: f64 = 0.64;
 /// Two marks of a student with one letter that stand no farther apart (mm) are one.
 const TWICE: f64 = 1.5;
 /// Radius of the mark of a student's centre, mm.
@@ -107,7 +114,10 @@ const LEAST_REACH: f64 = 20.0;
 /// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
 /// they are known to be drawn, and vectors as they were handed in. Before them the skeleton with the places that he has
 /// otherwise, behind them the force polygons of the bodies of which he has a force otherwise. Each fault is circled where
-/// the student has it, numbered and named below, with a legend. `None` where nothing is drawn.
+/// the student has it, numbered and named below, with a legend. Names of both are placed together, clear of the ink of both.
+/// To be printed, with so much `left` of the page (mm), it stands in strips no wider than a page, drawn as small as that takes, with
+/// names as large as ever.
+/// `None` where nothing is drawn.
 #[must_use]
 pub fn overlay(
     scene: &Scene,
@@ -115,40 +125,161 @@ pub fn overlay(
     (student, own): (&Construction, &Own),
     balance: Option<&ForceSheet>,
     (faults, language): (&[Fault<'_>], Language),
+    left: Option<f64>,
 ) -> Option<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let right = told_apart(right, &notation);
-    let several = faults.len() > 1;
-    let mut blocks: Vec<(Group, f64, f64)> = Vec::new();
-    let told = |fits: &dyn Fn(Spot) -> bool| -> Vec<(usize, &Fault<'_>)> {
-        (1..).zip(faults).filter(|(_, fault)| fits(fault.at)).collect()
+    let mut own = own.clone();
+    own.vectors.iter_mut().for_each(|vector| vector.head = foot_told_apart(vector, student, &notation));
+    let [right, student] = [right, student].map(|one| told_apart(one, &notation));
+    let drawings = Drawings { right: &right, student: &student, own: &own, faults, notation };
+    let blocks = |room: Option<(f64, f64)>| drawings.blocks(scene, balance, room);
+    let (mut root, y) = match left {
+        Some(left) => on_page(left, |room| strips_of(blocks(Some(room)))),
+        None => arranged(blocks(None)),
     };
-    let on_skeleton = told(&|spot| matches!(spot, Spot::In(DiagramKind::Skeleton, _)));
-    if !own.places.is_empty() || !on_skeleton.is_empty() {
-        let mut panel = skeleton::draw(&right, &notation);
-        let ink = panel.bounds().unwrap_or(Rect::ZERO);
-        draw_links(&mut panel, &scene.mechanism, (&right, student, &own.places), ink);
-        draw_places(&mut panel, &own.places, ink, &notation);
-        for (number, fault) in &on_skeleton {
-            if let Spot::In(_, at) = fault.at {
-                circle(&mut panel, within(page(at), ink), several.then_some(*number));
+    if y > 0.0 {
+        let legend = legend(y, !faults.is_empty(), words);
+        match root.children.last_mut() {
+            // With the last strip.
+            Some(Node::Group(last)) if left.is_some() => last.group(legend),
+            _ => root.group(legend),
+        }
+    }
+    let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
+    // What is read out has no lowered letters.
+    let texts: Vec<String> = faults.iter().map(|fault| fault.text.replace('_', "")).collect();
+    let title = format!("{title}: {}", words.overlay);
+    (y > 0.0).then(|| localised(cut(root, title, texts.join(words.semicolon), words), scene))
+}
+
+/// The strips of a printed overlay from the top: each is a piece of the figure that is not to be cut.
+#[must_use]
+pub fn strips(figure: &Figure) -> Vec<Rect> {
+    let strip = |node: &Node| match node {
+        Node::Group(group) if group.class == STRIP => group.bounds(),
+        _ => None,
+    };
+    figure.root.children.iter().filter_map(strip).collect()
+}
+
+/// Strips in the largest room in which all fit what is left of a page, or at least the first, and the others the next page.
+fn on_page(left: f64, strips: impl Fn((f64, f64)) -> (Group, f64)) -> (Group, f64) {
+    let first = |group: &Group| match group.children.first() {
+        Some(Node::Group(strip)) => strip.bounds().map_or(0.0, |ink| ink.height()),
+        _ => 0.0,
+    };
+    let mut kept: Option<(Group, f64)> = None;
+    for room in ROOMS {
+        let (group, height) = strips(room);
+        let top = first(&group);
+        // With what tells of the lines.
+        if height + 2.0 * LINE <= left {
+            return (group, height);
+        }
+        let goes_on = top <= left && height - top + 2.0 * LINE <= OVERLEAF;
+        if kept.is_none() && (goes_on || height <= OVERLEAF) {
+            kept = Some((group, height));
+        }
+    }
+    kept.unwrap_or_else(|| strips(ROOMS[ROOMS.len() - 1]))
+}
+
+/// The class of a strip.
+const STRIP: &str = "strip";
+
+/// What a student drew, beside what is right.
+struct Drawings<'d> {
+    right: &'d Construction,
+    student: &'d Construction,
+    own: &'d Own,
+    faults: &'d [Fault<'d>],
+    notation: Notation<'d>,
+}
+
+/// A panel with its captions, how wide and how high it is.
+type Block = (Group, f64, f64);
+
+impl Drawings<'_> {
+    /// The faults that show at certain places, with their numbers.
+    fn told(&self, fits: impl Fn(Spot) -> bool) -> Vec<(usize, &Fault<'_>)> {
+        (1..).zip(self.faults).filter(|(_, fault)| fits(fault.at)).collect()
+    }
+
+    /// The number of a fault, where there are several.
+    fn numbered(&self, number: usize) -> Option<usize> {
+        (self.faults.len() > 1).then_some(number)
+    }
+
+    /// Every panel, no larger than its room.
+    fn blocks(&self, scene: &Scene, balance: Option<&ForceSheet>, room: Option<(f64, f64)>) -> Vec<Block> {
+        let several = self.faults.len() > 1;
+        let mut blocks = Vec::new();
+        let on_skeleton = self.told(|spot| matches!(spot, Spot::In(DiagramKind::Skeleton, _)));
+        if !self.own.places.is_empty() || !on_skeleton.is_empty() {
+            let draw = |times: f64| self.skeleton(&scene.mechanism, &on_skeleton, times);
+            blocks.push(captioned(fitted(room, draw), (&on_skeleton, None), several));
+        }
+        for polygon in &self.right.diagrams {
+            let here = self.told(|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
+            let (arrows, circles, beyond) = self.over(polygon, &here);
+            let panel = fitted(room, |times| self.polygon(polygon.kind, (&arrows, &circles), times));
+            let note = beyond.then_some(self.notation.words.overlay_beyond);
+            blocks.push(captioned(panel, (&here, note), several));
+        }
+        for (index, body) in balance.iter().flat_map(|balance| balance.bodies.iter().enumerate()) {
+            let of = |force: usize| self.own.forces.get(force).is_some_and(|force| force.body == index);
+            if (0..self.own.forces.len()).any(of) {
+                let here = self.told(|spot| matches!(spot, Spot::Force(force) if of(force)));
+                let spots: Vec<(Spot, Option<usize>)> =
+                    here.iter().map(|(number, fault)| (fault.at, self.numbered(*number))).collect();
+                let draw = |times: f64| {
+                    let own = (index, &self.own.forces[..]);
+                    let panel = force_polygon(body, own, &spots, &self.notation, times);
+                    entitled(panel, of_body(body, &self.notation))
+                };
+                blocks.push(captioned(fitted(room, draw), (&here, None), several));
             }
         }
-        blocks.push(captioned(panel, (&on_skeleton, None), several));
+        blocks
     }
-    for polygon in &right.diagrams {
-        let drawn = student.diagram(polygon.kind);
-        let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
-        let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
-            drawn.map_or_else(Vec::new, |drawn| differing(polygon, drawn));
+
+    /// The skeleton, so many times as large, with the student's places.
+    fn skeleton(&self, mechanism: &Mechanism, faults: &[(usize, &Fault<'_>)], times: f64) -> Group {
+        let [mut right, mut student] = [self.right, self.student].map(Clone::clone);
+        right.resize(times);
+        student.resize(times);
+        let scaled = |at: Mm2| at.map(|mm| times * mm);
+        let places: Vec<(Quantity, Mm2, Mm2)> =
+            self.own.places.iter().map(|(of, own, right)| (*of, scaled(*own), scaled(*right))).collect();
+        skeleton::draw_under(&right, &self.notation, Arrows::All, None, |ink, _| {
+            let mut over = skeleton::Overlay::default();
+            let circles: Vec<(Point, Option<usize>)> = faults
+                .iter()
+                .filter_map(|(number, fault)| match fault.at {
+                    Spot::In(_, at) => Some((within(page(scaled(at)), ink), self.numbered(*number))),
+                    Spot::Force(_) => None,
+                })
+                .collect();
+            draw_links(&mut over.ink, mechanism, (&right, &student, &places), ink);
+            draw_places(&mut over, &places, (ink, &circles), &self.notation);
+            circle_all(&mut over, &circles);
+            over
+        })
+    }
+
+    /// What of the student's is drawn over a polygon, where it is circled, and whether it leaves the figure.
+    fn over(&self, polygon: &Diagram, faults: &[(usize, &Fault<'_>)]) -> (Vec<Arrow>, Circles, bool) {
+        let drawn = self.student.diagram(polygon.kind);
+        let own = || self.own.vectors.iter().filter(|vector| vector.diagram == polygon.kind);
+        let mut arrows: Vec<Arrow> = drawn.map_or_else(Vec::new, |drawn| differing(polygon, drawn));
         let extent = polygon.images.iter().map(|image| libm::hypot(image.at[0], image.at[1]));
         let extent = extent.fold(LEAST_REACH, f64::max);
         let reach = FARTHEST * extent;
-        for vector in own.vectors.iter().filter(|vector| vector.diagram == polygon.kind) {
+        let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= TWICE;
+        for vector in own() {
             // What is handed in as a value and as a point of the drawing is drawn once.
-            let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= TWICE;
-            let known = |(from, to, head, _): &(Mm2, Mm2, Label, bool)| {
+            let known = |(from, to, head, _): &Arrow| {
                 *head == vector.head && near(*from, vector.from) && near(*to, vector.to)
             };
             if !arrows.iter().any(known) {
@@ -158,57 +289,130 @@ pub fn overlay(
         // Where a point that was handed in stands elsewhere than it would follow, he drew something else: what would follow
         // is not his.
         let elsewhere = |point: PointId| {
-            own.vectors.iter().any(|vector| {
+            own().any(|vector| {
                 let from_pole = libm::hypot(vector.from[0], vector.from[1]) == 0.0;
                 let follows =
                     drawn.and_then(|drawn| drawn.images.iter().rev().find(|one| one.label == vector.head));
-                vector.diagram == polygon.kind
-                    && from_pole
+                from_pole
                     && image_of(vector.head) == Some(point)
-                    && follows.is_some_and(|one| {
-                        libm::hypot(one.at[0] - vector.to[0], one.at[1] - vector.to[1]) > TWICE
-                    })
+                    && follows.is_some_and(|one| !near(one.at, vector.to))
             })
         };
         arrows.retain(|(from, to, head, _)| {
             let handed_in = |vector: &HandedIn| (vector.from, vector.to, vector.head) == (*from, *to, *head);
-            own.vectors.iter().any(handed_in) || !image_of(*head).is_some_and(elsewhere)
+            own().any(handed_in) || !image_of(*head).is_some_and(elsewhere)
         });
-        let here = told(&|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
-        // What stands metres away would leave nothing else to be seen: it is drawn as far as the border.
-        let is_beyond = |at: Mm2| libm::hypot(at[0], at[1]) > reach;
-        let beyond = arrows.iter().any(|(from, to, ..)| is_beyond(*from) || is_beyond(*to));
-        arrows.retain(|(from, ..)| !is_beyond(*from));
+        // What stands metres away would leave nothing else to be seen: it is drawn as far as the border, which then lies about
+        // what is right and what of his lies within reach.
+        let far = |at: Mm2| libm::hypot(at[0], at[1]);
+        let beyond = arrows.iter().any(|(from, to, ..)| far(*from).max(far(*to)) > reach);
+        arrows.retain(|(from, ..)| far(*from) <= reach);
+        let ends = arrows.iter().flat_map(|(from, to, ..)| [far(*from), far(*to)]);
+        let within = ends.filter(|far| *far <= reach).fold(BORDER * extent, f64::max);
+        let reach = if beyond { within } else { reach };
         arrows.iter_mut().for_each(|(from, to, ..)| *to = as_far_as(reach, *from, *to));
-        draw_arrows(&mut panel, &arrows, polygon.kind, &notation);
-        for (number, fault) in &here {
-            let Spot::In(_, at) = fault.at else { continue };
+        let circles = faults.iter().filter_map(|(number, fault)| {
+            let Spot::In(_, at) = fault.at else { return None };
+            // A vector that ends where it should shows its fault where it begins.
+            let ends_rightly = |vector: &&HandedIn| {
+                let image = polygon.images.iter().find(|image| image.label == vector.head);
+                vector.to == at && image.is_some_and(|image| near(image.at, at)) && vector.from != [0.0; 2]
+            };
+            let at = own().find(ends_rightly).map_or(at, |vector| vector.from);
             let far = libm::hypot(at[0], at[1]);
-            let centre = page(if far > reach { at.map(|mm| mm * reach / far) } else { at });
-            circle(&mut panel, centre, several.then_some(*number));
+            let at = if far > reach { at.map(|mm| mm * reach / far) } else { at };
+            Some((at, self.numbered(*number)))
+        });
+        (arrows, circles.collect(), beyond)
+    }
+
+    /// A polygon, so many times as large, with what is laid over it.
+    fn polygon(&self, kind: DiagramKind, (arrows, circles): (&[Arrow], &Circles), times: f64) -> Group {
+        let mut right = self.right.clone();
+        right.resize(times);
+        let Some(polygon) = right.diagram(kind) else { return Group::default() };
+        let scaled = |at: Mm2| at.map(|mm| times * mm);
+        let arrows: Vec<Arrow> = arrows
+            .iter()
+            .map(|(from, to, head, whole)| (scaled(*from), scaled(*to), *head, *whole))
+            .collect();
+        let circles: Vec<(Point, Option<usize>)> =
+            circles.iter().map(|(at, number)| (page(scaled(*at)), *number)).collect();
+        let mut over = skeleton::Overlay::default();
+        draw_arrows(&mut over, &arrows, (polygon, &circles), &self.notation);
+        circle_all(&mut over, &circles);
+        polygon::draw_under(polygon, &right.steps, &self.notation, None, &over)
+    }
+}
+
+/// A vector of the student: tail, head, name of the head, whether it is one of those that are drawn thick.
+type Arrow = (Mm2, Mm2, Label, bool);
+
+/// Where faults are circled, with their numbers.
+type Circles = Vec<(Mm2, Option<usize>)>;
+
+/// The name of a vector's head as it is where feet that would share one are told apart.
+fn foot_told_apart(vector: &HandedIn, student: &Construction, notation: &Notation<'_>) -> Label {
+    if !matches!(vector.head, Label::Foot { .. }) {
+        return vector.head;
+    }
+    let own = student.diagram(vector.diagram);
+    let index = own.and_then(|drawn| {
+        drawn.vectors.iter().position(|one| one.head == vector.head && one.from == vector.from)
+    });
+    let told = index.and_then(|index| {
+        told_apart(student, notation)
+            .diagram(vector.diagram)
+            .and_then(|drawn| Some(drawn.vectors.get(index)?.head))
+    });
+    told.unwrap_or(vector.head)
+}
+
+/// A panel as large as it is, or so much smaller that it fits its room: its names are no smaller for that.
+fn fitted(room: Option<(f64, f64)>, draw: impl Fn(f64) -> Group) -> Group {
+    /// A little more smaller than it seems to take, for names do not shrink.
+    const MORE: f64 = 0.97;
+    let mut panel = draw(1.0);
+    let Some((width, height)) = room else { return panel };
+    let mut times = 1.0;
+    for _ in 0..TRIES {
+        let ink = panel.bounds().unwrap_or(Rect::ZERO);
+        let over = (ink.width() / width).max(ink.height() / height);
+        if over <= 1.0 {
+            break;
         }
-        let note = beyond.then_some(words.overlay_beyond);
-        blocks.push(captioned(panel, (&here, note), several));
+        times *= MORE / over;
+        panel = draw(times);
     }
-    for (index, body) in balance.iter().flat_map(|balance| balance.bodies.iter().enumerate()) {
-        let of = |force: usize| own.forces.get(force).is_some_and(|force| force.body == index);
-        if (0..own.forces.len()).any(of) {
-            let here = told(&|spot| matches!(spot, Spot::Force(force) if of(force)));
-            let numbered = |(number, fault): &(usize, &Fault<'_>)| (fault.at, several.then_some(*number));
-            let numbered: Vec<(Spot, Option<usize>)> = here.iter().map(numbered).collect();
-            let panel = force_polygon(body, (index, &own.forces), &numbered, &notation);
-            blocks.push(captioned(entitled(panel, of_body(body, &notation)), (&here, None), several));
+    panel
+}
+
+/// Blocks in rows no wider than a page, each row a strip, and how high they are together.
+fn strips_of(blocks: Vec<Block>) -> (Group, f64) {
+    let mut rows: Vec<Vec<Block>> = Vec::new();
+    let width = |row: &[Block]| row.iter().map(|block| block.1 + BETWEEN).sum::<f64>();
+    for block in blocks {
+        match rows.last_mut() {
+            Some(row) if width(row) + block.1 <= PAGE => row.push(block),
+            _ => rows.push(vec![block]),
         }
     }
-    let (mut root, y) = arranged(blocks);
-    if y > 0.0 {
-        legend(&mut root, y, !faults.is_empty(), words);
+    let mut root = Group::new("overlay");
+    let mut y = 0.0;
+    for row in rows {
+        let height = row.iter().map(|block| block.2).fold(0.0, f64::max);
+        let mut strip = Group::new(STRIP);
+        let mut x = 0.0;
+        for (mut block, width, own) in row {
+            // Those side by side stand on one line.
+            block.translate(Vec2::new(x, y + height - own));
+            strip.group(block);
+            x += width + BETWEEN;
+        }
+        root.group(strip);
+        y += height;
     }
-    let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
-    // What is read out has no lowered letters.
-    let texts: Vec<String> = faults.iter().map(|fault| fault.text.replace('_', "")).collect();
-    let title = format!("{title}: {}", words.overlay);
-    (y > 0.0).then(|| localised(cut(root, title, texts.join(words.semicolon), words), scene))
+    (root, y)
 }
 
 /// The head of an arrow that begins so near to the pole, on its way to where it would leave the figure.
@@ -222,7 +426,8 @@ fn as_far_as(reach: f64, from: Mm2, to: Mm2) -> Mm2 {
         way[0] * from[0] + way[1] * from[1],
         from[0] * from[0] + from[1] * from[1] - reach * reach,
     ];
-    let part = (libm::sqrt(along * along - square * rest) - along) / square;
+    // What begins at the border itself may begin behind it by its rounding.
+    let part = ((libm::sqrt((along * along - square * rest).max(0.0)) - along) / square).clamp(0.0, 1.0);
     [0, 1].map(|axis| from[axis] + part * way[axis])
 }
 
@@ -264,13 +469,30 @@ fn lowered(text: &str) -> Rich {
     })
 }
 
-/// The circle about a fault, with its number where there are several.
-fn circle(panel: &mut Group, centre: Point, number: Option<usize>) {
-    let circle = Shape::Circle { centre, radius: CIRCLE };
-    panel.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
-    if let Some(number) = number {
-        name(panel, &Rich::bold(number.to_string()), centre, CIRCLE, "fault-number");
+/// The circles about faults, with their numbers where there are several.
+fn circle_all(over: &mut skeleton::Overlay, circles: &[(Point, Option<usize>)]) {
+    for &(centre, number) in circles {
+        let circle = Shape::Circle { centre, radius: CIRCLE };
+        over.ink.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
+        if let Some(number) = number {
+            let toward = Some(std::f64::consts::FRAC_PI_4);
+            let site = Site::Around { at: centre, radius: CIRCLE, toward };
+            let number = Rich::bold(number.to_string());
+            over.labels.push(Request::new(number, SMALL, site, "fault-number"));
+        }
     }
+}
+
+/// The name of a point of the student's: beside it, outside of the circle about it where there is one.
+fn starred(text: Rich, at: Point, radius: f64, circles: &[(Point, Option<usize>)]) -> Request {
+    let site = |radius: f64| Site::Around { at, radius, toward: None };
+    let mut request = Request::new(text, SMALL, site(radius), "label student-name");
+    if circles.iter().any(|(centre, _)| centre.distance(at) < TWICE) {
+        request.sites = vec![site(CIRCLE)];
+    }
+    request.leader = true;
+    request.strict = true;
+    request
 }
 
 /// A place as far from the skeleton as it may stand on the sheet: what lies farther is drawn on its way there.
@@ -311,20 +533,25 @@ fn draw_links(
 }
 
 /// The student's places as open circles; of a centre the right one as a dot, and a dashed line from one to the other.
-fn draw_places(panel: &mut Group, places: &[(Quantity, Mm2, Mm2)], skeleton: Rect, notation: &Notation<'_>) {
+fn draw_places(
+    over: &mut skeleton::Overlay,
+    places: &[(Quantity, Mm2, Mm2)],
+    (skeleton, circles): (Rect, &[(Point, Option<usize>)]),
+    notation: &Notation<'_>,
+) {
     for &(quantity, own, right) in places {
         let [own, right] = [own, right].map(|at| within(page(at), skeleton));
         let open = Shape::Circle { centre: own, radius: DOT };
-        panel.mark(Mark::stroke(open, Pen::solid(THIN)).class("student"));
+        over.ink.mark(Mark::stroke(open, Pen::solid(THIN)).class("student"));
         let letter = notation.symbol(quantity, false);
         // A joint stands on the skeleton with its letter already.
         if !matches!(quantity, Quantity::Position(_)) {
             let dashed = Pen { width: FINE, dash: Dash::Dashed };
-            panel.mark(Mark::stroke(Shape::Line(right, own), dashed).class("student"));
-            panel.mark(Mark::area(Shape::Circle { centre: right, radius: DOT / 2.0 }, Tone::Ink));
-            name(panel, &letter, right, DOT, "label");
+            over.ink.mark(Mark::stroke(Shape::Line(right, own), dashed).class("student"));
+            over.ink.mark(Mark::area(Shape::Circle { centre: right, radius: DOT / 2.0 }, Tone::Ink));
+            over.labels.push(Request { class: "label", ..starred(letter.clone(), right, DOT, circles) });
         }
-        name(panel, &letter.up("*"), own, DOT, "label student-name");
+        over.labels.push(starred(letter.up("*"), own, DOT, circles));
     }
 }
 
@@ -335,14 +562,16 @@ fn force_polygon(
     (index, own): (usize, &[OwnForce]),
     faults: &[(Spot, Option<usize>)],
     notation: &Notation<'_>,
+    times: f64,
 ) -> Group {
+    let largest_drawn = times * LARGEST_FORCE;
     let mut panel = Group::new("force-polygon");
     let long = |force: [f64; 2]| libm::hypot(force[0], force[1]);
     let largest = body.acting.iter().map(|acting| long(acting.force)).fold(0.0, f64::max);
-    let scale = if largest > 0.0 { LARGEST_FORCE / largest } else { 1.0 };
+    let scale = if largest > 0.0 { largest_drawn / largest } else { 1.0 };
     let mut drawn: Vec<(Point, Point)> = Vec::new();
     // Each beside all arrows, those that come after it too.
-    let mut names: Vec<(Rich, Point)> = Vec::new();
+    let mut names: Vec<Request> = Vec::new();
     let mut arrow = |panel: &mut Group, from: Point, to: Point, letter: &Rich, dash: Dash, class| {
         let way = to - from;
         if way.hypot() > 0.0 {
@@ -357,7 +586,10 @@ fn force_polygon(
             }
             panel.mark(Mark::stroke(Shape::Line(from, to), Pen { width: THIN, dash }).class(class));
             panel.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
-            names.push((letter.clone(), from.lerp(to, NAMED)));
+            let mut name = Request::new(letter.clone(), SMALL, Site::Along { from, to }, "label");
+            name.leader = true;
+            name.strict = true;
+            names.push(name);
         }
     };
     let after = |from: Mm2, force: [f64; 2]| [0, 1].map(|axis| from[axis] + scale * force[axis]);
@@ -376,7 +608,7 @@ fn force_polygon(
         let end = after(own_from, force);
         // What would leave the sheet is drawn as far as it goes, and nothing goes on from there.
         let reach = scale * long(force);
-        let short = (FARTHEST * LARGEST_FORCE / reach).min(1.0);
+        let short = (FARTHEST * largest_drawn / reach).min(1.0);
         if (apart || handed_in.is_some()) && reach > 0.0 {
             let tip = after(own_from, force.map(|part| short * part));
             arrow(&mut panel, page(own_from), page(tip), &letter.up("*"), Dash::Dashed, "student");
@@ -386,12 +618,11 @@ fn force_polygon(
         }
         (from, own_from) = (to, if short < 1.0 { to } else { end });
     }
-    for (letter, at) in names {
-        name(&mut panel, &letter, at, 0.0, "label");
-    }
-    for (at, number) in circles {
-        circle(&mut panel, at, number);
-    }
+    let mut over = skeleton::Overlay { ink: Group::new("faults"), labels: names };
+    circle_all(&mut over, &circles);
+    panel.group(over.ink);
+    let names = place(&panel, &over.labels, None);
+    panel.group(names);
     panel
 }
 
@@ -423,11 +654,11 @@ fn entitled(mut panel: Group, title: Rich) -> Group {
 }
 
 /// Blocks side by side or one below the other, whichever fills a page better, and how high they are together.
-fn arranged(blocks: Vec<(Group, f64, f64)>) -> (Group, f64) {
-    let sum = |of: fn(&(Group, f64, f64)) -> f64| blocks.iter().map(of).sum::<f64>();
-    let most = |of: fn(&(Group, f64, f64)) -> f64| blocks.iter().map(of).fold(0.0, f64::max);
+fn arranged(blocks: Vec<Block>) -> (Group, f64) {
+    let sum = |of: fn(&Block) -> f64| blocks.iter().map(of).sum::<f64>();
+    let most = |of: fn(&Block) -> f64| blocks.iter().map(of).fold(0.0, f64::max);
     let gaps = BETWEEN * blocks.len().saturating_sub(1) as f64;
-    let fits = |width: f64, height: f64| (PAGE.0 / width).min(PAGE.1 / height);
+    let fits = |width: f64, height: f64| (SHEET.0 / width).min(SHEET.1 / height);
     let beside = fits(sum(|block| block.1) + gaps, most(|block| block.2))
         > fits(most(|block| block.1), sum(|block| block.2));
     let height = if beside { most(|block| block.2) } else { sum(|block| block.2) };
@@ -451,8 +682,8 @@ fn image_of(label: Label) -> Option<PointId> {
     }
 }
 
-/// The student's vectors where they differ: tail, head, name of the head, whether it is one of those that are drawn thick.
-fn differing(right: &Diagram, own: &Diagram) -> Vec<(Mm2, Mm2, Label, bool)> {
+/// The student's vectors where they differ.
+fn differing(right: &Diagram, own: &Diagram) -> Vec<Arrow> {
     let apart = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) > SAME;
     let differs = |vector: &&crate::graphical::construction::Vector| {
         let same = right.vectors.iter().find(|v| v.quantity == vector.quantity && v.kind == vector.kind);
@@ -463,9 +694,9 @@ fn differing(right: &Diagram, own: &Diagram) -> Vec<(Mm2, Mm2, Label, bool)> {
 }
 
 fn draw_arrows(
-    panel: &mut Group,
-    arrows: &[(Mm2, Mm2, Label, bool)],
-    kind: DiagramKind,
+    over: &mut skeleton::Overlay,
+    arrows: &[Arrow],
+    (right, circles): (&Diagram, &[(Point, Option<usize>)]),
     notation: &Notation<'_>,
 ) {
     let mut group = Group::new("student");
@@ -479,54 +710,31 @@ fn draw_arrows(
         group.mark(Mark::stroke(Shape::Line(from, to), pen).class("student"));
         group.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
     }
-    panel.group(group);
-    let mut named: Vec<(Label, Mm2)> = Vec::new();
+    over.ink.group(group);
+    let near = |a: Mm2, b: Mm2, by: f64| libm::hypot(a[0] - b[0], a[1] - b[1]) <= by;
+    // The names at each place, once; what stands where it should is named there already.
+    let mut named: Vec<(Mm2, Vec<Label>)> = Vec::new();
     for &(_, to, label, _) in arrows {
-        let near = |at: Mm2| libm::hypot(at[0] - to[0], at[1] - to[1]) <= TWICE;
-        if label == Label::Pole || named.iter().any(|(known, at)| *known == label && near(*at)) {
+        let stands = right.images.iter().any(|image| image.label == label && near(image.at, to, TWICE));
+        let known = named.iter().any(|(at, all)| all.contains(&label) && near(*at, to, TWICE));
+        if label == Label::Pole || stands || known {
             continue;
         }
-        named.push((label, to));
-        let letter = notation.image(label, kind).up("*");
-        name(panel, &letter, page(to), 0.0, "label student-name");
+        match named.iter_mut().find(|(at, _)| near(*at, to, SAME)) {
+            Some((_, all)) => all.push(label),
+            None => named.push((to, vec![label])),
+        }
+    }
+    for (at, labels) in named {
+        let letters: Vec<Rich> =
+            labels.iter().map(|label| notation.image(*label, right.kind).up("*")).collect();
+        let letters = Rich::join(&letters, &Rich::upright(notation.words.comma.trim_end()));
+        over.labels.push(starred(letters, page(at), 0.4, circles));
     }
 }
 
-/// Sets a name beside a place, where it touches no other text if there is such a place, and of these where it lies on the
-/// fewest lines.
-fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static str) {
-    let mut taken: Vec<Rect> = Vec::new();
-    let mut lines: Vec<(Point, Point)> = Vec::new();
-    panel.walk(&mut |node| match node {
-        Node::Text(text) => taken.extend(text.bounds()),
-        Node::Mark(Mark { shape: Shape::Line(from, to), .. }) => lines.push((*from, *to)),
-        // Joints and centres; the circle about a fault is wider.
-        Node::Mark(Mark { shape: Shape::Circle { centre, radius }, .. }) if *radius < CIRCLE => {
-            taken.push(Rect::from_center_size(*centre, (2.0 * radius, 2.0 * radius)));
-        }
-        _ => {}
-    });
-    let line = text.set(SMALL);
-    let ink = line.ink_at(Point::ZERO);
-    let place = |off: f64, turn: u8| {
-        let angle = f64::from(turn) * std::f64::consts::FRAC_PI_4 - 0.6;
-        let middle = at + Vec2::new(libm::cos(angle), libm::sin(angle)) * (radius + off);
-        middle - ink.center().to_vec2()
-    };
-    let cost = |from: Point| {
-        let own = (ink + from.to_vec2()).inflate(0.3, 0.3);
-        let texts = taken.iter().filter(|other| !own.intersect(**other).is_zero_area()).count();
-        let crosses =
-            |(a, b): &&(Point, Point)| (0..=60).any(|part| own.contains(a.lerp(*b, f64::from(part) / 60.0)));
-        100 * texts + lines.iter().filter(crosses).count()
-    };
-    let places = OFF.into_iter().flat_map(|off| (0..8).map(move |turn| (off, turn)));
-    let best = places.map(|(off, turn)| place(off, turn)).min_by_key(|from| cost(*from));
-    line.put(panel, best.unwrap_or_else(|| place(OFF[0], 0)), class);
-}
-
 /// What the lines mean.
-fn legend(root: &mut Group, y: f64, faults: bool, own: &Words) {
+fn legend(y: f64, faults: bool, own: &Words) -> Group {
     let mut legend = Group::new("legend");
     let mut x = 0.0;
     let mut entry = |legend: &mut Group, text: &str, dash: Dash| {
@@ -545,5 +753,5 @@ fn legend(root: &mut Group, y: f64, faults: bool, own: &Words) {
         let words = Rich::upright(own.overlay_fault);
         words.set(SMALL).put(&mut legend, Point::new(x + 7.0, y + 1.2), "caption");
     }
-    root.group(legend);
+    legend
 }

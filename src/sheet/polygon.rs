@@ -14,6 +14,7 @@ use super::labels::{self, Others, Request, Site, place_among};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
+use super::skeleton::Overlay;
 use crate::graphical::construction::{
     Claim, ConstructionLine, Diagram, Image, Label, Reference, Step, Vector, VectorKind,
 };
@@ -37,6 +38,18 @@ const PAST: f64 = 4.0;
 /// are told.
 #[must_use]
 pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: Option<&Images>) -> Group {
+    draw_under(polygon, steps, notation, births, &Overlay::default())
+}
+
+/// The same with what is laid over it: the names of both are placed together, clear of the ink of both.
+#[must_use]
+pub fn draw_under(
+    polygon: &Diagram,
+    steps: &[Step],
+    notation: &Notation<'_>,
+    births: Option<&Images>,
+    over: &Overlay,
+) -> Group {
     let (class, figure_name) = headed(polygon.kind, notation);
     let unit = notation.unit(polygon.kind.dimension());
     let mut group = Group::new(class)
@@ -66,6 +79,12 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
         requests.extend(names);
     }
     let others = unnamed(polygon, window, &requests, notation);
+    if !over.ink.children.is_empty() {
+        group.group(over.ink.clone());
+        // Between the lines of two drawings a name may find room farther away only.
+        requests.iter_mut().for_each(|request| request.leader = true);
+    }
+    requests.extend(over.labels.iter().cloned());
     let mut named = group.clone();
     named.group(place_among(&group, &requests, None, &others));
     // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.

@@ -57,12 +57,12 @@ fn driven(input: &Input) -> Option<LinkId> {
     }
 }
 
-/// Ink and labels that are laid over a skeleton.
+/// Ink and labels that are laid over a drawing.
 #[derive(Debug, Default)]
 pub struct Overlay {
     /// The ink.
     pub ink: Group,
-    /// Its labels, placed together with those of the skeleton.
+    /// Its labels, placed together with those of the drawing.
     pub labels: Vec<Request>,
 }
 

@@ -13,6 +13,7 @@ mod grader;
 mod hand_in;
 mod mechanism;
 mod mistakes;
+mod overlays;
 mod plane;
 mod student;
 
