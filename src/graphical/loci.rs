@@ -12,6 +12,22 @@ use super::DrawError;
 use super::construction::Act;
 use super::draughtsman::Draughtsman;
 use super::pose::{DEEPEST, Pose, Track};
+use super::position::TOUCHES;
+
+/// Whether two loci are parallel lines or circles about one centre, as far as is seen.
+fn lie_on_each_other(first: Track, second: Track) -> bool {
+    match (first, second) {
+        (Track::Straight(one), Track::Straight(other)) => {
+            let ([a, b], [c, d]) = (one.along.value(), other.along.value());
+            (a * d - b * c).abs() < TOUCHES
+        }
+        (Track::Arc(one), Track::Arc(other)) => {
+            let ([a, b], [c, d]) = (one.centre.value(), other.centre.value());
+            libm::hypot(a - c, b - d) < TOUCHES * one.radius.value()
+        }
+        _ => false,
+    }
+}
 
 impl Draughtsman<'_> {
     /// Finds places from the given ones, link by link, whatever is driven: of a link that two points tell, or one and a
@@ -174,7 +190,10 @@ impl Draughtsman<'_> {
             loci.extend(self.circles_about_driven(point).into_iter().map(Track::Arc));
             loci.extend(self.tracks_beside_guides(point));
             loci.extend(self.tracks_by_carried_guides(point));
-            let &[first, second, ..] = loci.as_slice() else { continue };
+            let Some((&first, others)) = loci.split_first() else { continue };
+            // Two that lie on each other meet everywhere: one that crosses them tells the place.
+            let crosses = |other: &&Track| !lie_on_each_other(first, **other);
+            let Some(&second) = others.iter().find(crosses).or(others.first()) else { continue };
             let links = self.mechanism.point(point).links.clone();
             let reason = self.reason(&links);
             let met = match (first, second) {
