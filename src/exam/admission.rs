@@ -9,7 +9,7 @@ use crate::graphical::construction::{
     Act, Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found, Reading,
 };
 use crate::graphical::{self, DrawError};
-use crate::mechanism::quantity::{Answer, Asked, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Quantity};
 use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
@@ -204,7 +204,9 @@ impl<'a> Base<'a> {
 /// The same with the paper on which a hand draws its forces.
 fn on_paper(scene: &Scene, mut solved: Solved) -> Solved {
     let paper = sheet::force_paper(scene, &solved.solution.construction);
-    solved.scales = solved.scales.on(paper);
+    // Centres are measured where they are on the paper.
+    let lengths = sheet::smallest_lengths(scene, &solved.solution.construction);
+    solved.scales = solved.scales.on(paper).with(Dimension::Length, lengths);
     solved
 }
 

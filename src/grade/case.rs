@@ -23,7 +23,7 @@ use crate::graphical::{Departure, Paper, Scales, Searched, Sketch, Slip, Slips, 
 use crate::limits;
 use crate::mechanism::cycle::{CycleQuantity, RotatingInertia};
 use crate::mechanism::force::{Action, Force, Share};
-use crate::mechanism::quantity::{Answer, Asked, Method, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
@@ -1734,13 +1734,19 @@ fn keyed(
     (scales, answers): (Scales, &Answers),
     standard: Standard,
 ) -> Result<Vec<Tolerated>, GradeError> {
-    let mut solved = match scales == own.scales {
+    let of_the_sheet = scales == own.scales;
+    let mut solved = match of_the_sheet {
         true => own,
         false => solve::solve(scene, Extent::WholeSkeleton, |_, _| scales)?,
     };
     let paper = crate::sheet::force_paper(scene, &solved.solution.construction);
     let force = answers.scales.force().or(paper.force);
     solved.scales = solved.scales.on(Paper { force, ..paper });
+    if of_the_sheet {
+        // Centres are measured where they are on the paper.
+        let lengths = crate::sheet::smallest_lengths(scene, &solved.solution.construction);
+        solved.scales = solved.scales.with(Dimension::Length, lengths);
+    }
     Ok(tolerance::of_asked(scene, &solved, standard)?)
 }
 

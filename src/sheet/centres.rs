@@ -16,7 +16,7 @@ use super::reach::{Reach, Window};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
 use super::transfer;
-use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Found};
+use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, Mechanism, Rider};
 use crate::plan::chord;
@@ -90,10 +90,16 @@ fn drawn(
 }
 
 /// The skeleton's ink with as many centres as find room.
-pub(super) fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Window {
+pub(super) fn window(
+    circle: &CircleDiagram,
+    construction: &Construction,
+    skeleton: Rect,
+    notation: &Notation<'_>,
+) -> Window {
+    let used = transfer::used(transfer::acts(circle, construction));
     let place = |centre: &Centre| {
         let at = on_paper(centre)?;
-        Some((at, is_needed(centre, at, skeleton, circle, notation.mechanism())))
+        Some((at, is_needed(centre, at, skeleton, &used, notation.mechanism())))
     };
     let places: Vec<(Point, bool)> = circle.centres.iter().filter_map(place).collect();
     window_over(skeleton, &places, compose::free_paper(notation.scene))
@@ -105,7 +111,7 @@ pub(super) fn is_needed(
     centre: &Centre,
     at: Point,
     skeleton: Rect,
-    circle: &CircleDiagram,
+    used: &[[LinkId; 2]],
     mechanism: &Mechanism,
 ) -> bool {
     /// So many times the skeleton's size away.
@@ -114,7 +120,7 @@ pub(super) fn is_needed(
     let wanted = [Quantity::Centre(i, j), Quantity::Centre(j, i)];
     let far = at.distance(skeleton.center()) > FAR * skeleton.width().max(skeleton.height());
     let asked = || mechanism.asked.iter().any(|asked| wanted.contains(&asked.quantity));
-    (!far && asked()) || transfer::used(circle.transfers.iter()).contains(&centre.links)
+    (!far && asked()) || used.contains(&centre.links)
 }
 
 /// What a figure shows of the plane: the skeleton's ink with as many centres as find room, the nearest first; those that

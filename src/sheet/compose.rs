@@ -655,7 +655,8 @@ fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Ve
         };
         let acts = told.acts.iter().flatten().filter(|act| draws(act)).count();
         let parts = acts.div_ceil(ACTS).max(1);
-        let each = acts.div_ceil(parts);
+        // As even as they get: no picture for a last line.
+        let upto = |part: usize| (acts * part).div_ceil(parts);
         let step = if told.drawn == Some(Panel::Centres) { births.last().step + 1 } else { told.step };
         let fresh = || Piece {
             items: Vec::new(),
@@ -665,11 +666,13 @@ fn pieces(told: &[Told], construction: &Construction, births: &Births<'_>) -> Ve
             whole: parts == 1,
         };
         let mut own = vec![fresh()];
+        let mut shown = 0;
         for (item, act) in told.items.iter().zip(&told.acts) {
             let counts = act.as_ref().is_some_and(draws);
-            if counts && own.last().is_some_and(|piece| piece.acts == each) {
+            if counts && shown == upto(own.len()) {
                 own.push(fresh());
             }
+            shown += usize::from(counts);
             let Some(piece) = own.last_mut() else { continue };
             piece.items.push(item.clone());
             piece.acts += usize::from(counts);

@@ -251,9 +251,16 @@ impl Artist<'_> {
                 }
                 Roll::Line { centre, radius, .. } => vec![(*centre, radius.value, teeth(0))],
             };
-            wheels.extend(own);
+            // A wheel between two others rolls on both, and has one radius.
+            let has = |all: &[(PointId, f64, Option<u32>)], own: &(PointId, f64, Option<u32>)| {
+                all.iter().any(|other| other.0 == own.0 && other.1 == own.1)
+            };
+            for wheel in own {
+                if !has(&wheels, &wheel) {
+                    wheels.push(wheel);
+                }
+            }
         }
-        wheels.dedup();
         for (centre, radius, teeth) in wheels {
             let Some(at) = self.pose.place(centre) else { continue };
             let drawn = self.pose.paper(radius);

@@ -87,6 +87,15 @@ pub enum ForcePanel {
     Arms,
 }
 
+/// Whether the polygon of all outer forces has the same sides as that of a body, which is then the only one that moves.
+pub(super) fn whole_repeats(sheet: &ForceSheet) -> bool {
+    let is_in = |all: &[Acting], own: &Acting| all.iter().any(|other| other.action == own.action);
+    let same = |own: &[Acting]| {
+        own.len() == sheet.whole.len() && own.iter().all(|acting| is_in(&sheet.whole, acting))
+    };
+    sheet.bodies.iter().any(|body| same(&body.acting))
+}
+
 impl ForcePanel {
     /// What a sheet of forces has, in order.
     #[must_use]
@@ -142,10 +151,15 @@ impl ForcePanel {
         all
     }
 
-    /// Whether a sheet has it without being told to: the shaking force only where somebody asks for it.
+    /// Whether a sheet has it without being told to: the shaking force only where somebody asks for it, and the polygon of all
+    /// outer forces only where it is not that of a body once more.
     #[must_use]
-    pub const fn is_told(self, sheet: &ForceSheet) -> bool {
-        sheet.asks_shaking || !matches!(self, Self::Shaking | Self::ShakingLine)
+    pub fn is_told(self, sheet: &ForceSheet) -> bool {
+        match self {
+            Self::Shaking | Self::ShakingLine => sheet.asks_shaking,
+            Self::Whole => !whole_repeats(sheet),
+            _ => true,
+        }
     }
 
     /// The name of the figure in which it stands.
@@ -1092,6 +1106,23 @@ fn apart(others: &[Point], acting: &Acting, at: Point, most: f64) -> Point {
     best
 }
 
+/// The sum of forces on the line that moments have found; none where they have found a couple.
+fn sum_on_its_line(action: Action, forces: &[Acting], line: &MomentBalance) -> Option<Acting> {
+    let arm = line.found.arm?;
+    let force = forces.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
+    Some(Acting {
+        action,
+        at: arm.foot,
+        through: arm.foot,
+        force,
+        known: Knowledge::Full,
+        closes: false,
+        with_couple: false,
+        parts: None,
+        couple: 0.0,
+    })
+}
+
 /// The line of a sum of forces on the skeleton, with its distance from the first fixed pivot.
 fn sum_line(
     (action, forces, line): (Action, &[Acting], &MomentBalance),
@@ -1099,23 +1130,11 @@ fn sum_line(
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Option<Group> {
-    let arm = line.found.arm?;
+    let whole = sum_on_its_line(action, forces, line)?;
     let mut bare = construction.clone();
     bare.space.lines.clear();
     bare.others.clear();
-    let sum = forces.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
-    let whole = Acting {
-        action,
-        at: arm.foot,
-        through: arm.foot,
-        force: sum,
-        known: Knowledge::Full,
-        closes: false,
-        with_couple: false,
-        parts: None,
-        couple: 0.0,
-    };
-    let most = largest(forces).max(libm::hypot(sum[0], sum[1]));
+    let most = largest(forces).max(libm::hypot(whole.force[0], whole.force[1]));
     Some(skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
         let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
         let mut taken = Vec::new();
@@ -1168,11 +1187,9 @@ fn asked_arms(sheet: &ForceSheet, construction: &Construction, notation: &Notati
     let mut acting: Vec<Acting> = Vec::new();
     for term in own.iter().flat_map(|own| &own.terms) {
         let Turning::Force(action) = term.of else { continue };
-        let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.whole);
-        let drawn = all.into_iter().find(|acting| acting.action == action);
-        if let Some(drawn) = drawn.filter(|_| acting.iter().all(|other| other.action != action)) {
-            acting.push(*drawn);
-        }
+        let of_whole = || sheet.whole.iter().find(|acting| acting.action == action).copied();
+        let drawn = drawn(sheet, action).or_else(of_whole);
+        acting.extend(drawn.filter(|_| acting.iter().all(|other| other.action != action)));
     }
     let most = largest(&acting);
     skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
@@ -1402,10 +1419,15 @@ pub fn meet_name(on: LinkId, notation: &Notation<'_>) -> Rich {
     Rich::italic("K").sub(&notation.number(on))
 }
 
-/// The force that acts on a sheet, with its line.
-fn drawn(sheet: &ForceSheet, action: Action) -> Option<&Acting> {
+/// The force that acts on a sheet, or a sum of such, with its line.
+fn drawn(sheet: &ForceSheet, action: Action) -> Option<Acting> {
     let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.frame);
-    all.into_iter().find(|acting| acting.action == action)
+    let one = all.into_iter().find(|acting| acting.action == action).copied();
+    one.or_else(|| match action {
+        Action::Shaking => sum_on_its_line(action, &sheet.inertia, sheet.shaking.as_ref()?),
+        Action::OnFrame => sum_on_its_line(action, &sheet.frame, sheet.frame_line.as_ref()?),
+        _ => None,
+    })
 }
 
 /// Whither a force of a moment points on the page; none of a part of one, or a couple.
@@ -1991,6 +2013,62 @@ fn in_line(points: &[Point]) -> Option<[Point; 2]> {
     points.iter().all(|point| (*point - a).cross(along).abs() < 0.4).then_some([a, b])
 }
 
+/// Where forces of one line run back over each other, each has a lane of its own beside the line: how far aside each lies.
+/// Of a polygon that is not all in one line nothing is moved.
+fn lanes(strokes: &[Stretch]) -> Vec<Vec2> {
+    /// What is nearer to a line than this is on it, and what lies over each other by less does not, mm.
+    const ON: f64 = 0.4;
+    /// From lane to lane, mm: arrowheads are clear of each other.
+    const APART: f64 = 2.4;
+    let none = || vec![Vec2::ZERO; strokes.len()];
+    let length = |(from, to): &Stretch| from.distance(*to);
+    let Some(longest) = strokes.iter().max_by(|a, b| length(a).total_cmp(&length(b))) else { return none() };
+    if length(longest) < SHORTEST {
+        return none();
+    }
+    let along = (longest.1 - longest.0).normalize();
+    let ends = || strokes.iter().flat_map(|(from, to)| [*from, *to]);
+    if ends().any(|end| end.to_vec2().cross(along).abs() > ON) {
+        return none();
+    }
+    let across = Vec2::new(-along.y, along.x);
+    // Downward, else to the right.
+    let across =
+        if across.y < -1e-9 || (across.y.abs() <= 1e-9 && across.x < 0.0) { -across } else { across };
+    let mut taken: Vec<(usize, f64, f64)> = Vec::new();
+    let mut lane = |stroke: &Stretch| {
+        if length(stroke) < SHORTEST {
+            return Vec2::ZERO;
+        }
+        let [a, b] = [stroke.0, stroke.1].map(|end| end.to_vec2().dot(along));
+        let (low, high) = (a.min(b), a.max(b));
+        let free = |lane: &usize| {
+            taken.iter().all(|(other, from, to)| other != lane || high.min(*to) - low.max(*from) < ON)
+        };
+        let own = (0..=taken.len()).find(free).unwrap_or_default();
+        taken.push((own, low, high));
+        across * (APART * own as f64)
+    };
+    strokes.iter().map(&mut lane).collect()
+}
+
+/// Fine lines from where one force ends to where the next one begins in another lane, and from the end of the last one back
+/// to the pole.
+fn between_lanes(strokes: &[Stretch], lanes: &[Vec2]) -> Group {
+    /// What is nearer than this is one place, mm.
+    const ONE: f64 = 0.05;
+    let mut all = Group::default();
+    let own = || strokes.iter().zip(lanes);
+    let next = own().skip(1).map(|((from, _), lane)| (*from, *lane)).chain([(Point::ORIGIN, Vec2::ZERO)]);
+    for (((_, end), lane), (begin, other)) in own().zip(next) {
+        if end.distance(begin) < ONE && lane != &other {
+            let line = Shape::Line(*end + *lane, begin + other);
+            all.mark(Mark::stroke(line, Pen::solid(FINE)).precise());
+        }
+    }
+    all
+}
+
 /// Forces head to tail from the pole: thick what was known, thin what was found; with their sum where one is sought.
 fn polygon(
     acting: &[Acting],
@@ -2009,8 +2087,14 @@ fn polygon(
     let Some(places) = chain(acting) else { return group };
     let place_of = |newtons: [f64; 2]| page(newtons.map(|n| n / per_mm));
     let strokes = strokes(acting, (panel, sheet), notation);
-    for stroke in &strokes {
-        let (from, to) = (place_of(stroke.ends[0]), place_of(stroke.ends[1]));
+    let mut on_paper: Vec<Stretch> =
+        strokes.iter().map(|stroke| (place_of(stroke.ends[0]), place_of(stroke.ends[1]))).collect();
+    on_paper.extend(places.last().filter(|_| sum.is_some()).map(|last| (Point::ORIGIN, place_of(*last))));
+    let lanes = lanes(&on_paper);
+    let in_lane: Vec<Stretch> =
+        on_paper.iter().zip(&lanes).map(|((from, to), lane)| (*from + *lane, *to + *lane)).collect();
+    group.adopt(between_lanes(&on_paper, &lanes));
+    for (stroke, &(from, to)) in strokes.iter().zip(&in_lane) {
         let mut own = Group::new(match stroke.of {
             Laid::Known => "vector force known",
             Laid::Found => "vector force found",
@@ -2055,7 +2139,8 @@ fn polygon(
         group.group(own);
     }
     if let (Some(quantity), Some(last)) = (sum, places.last()) {
-        let (from, to) = (Point::ORIGIN, place_of(*last));
+        let lane = lanes.last().copied().unwrap_or_default();
+        let (from, to) = (Point::ORIGIN + lane, place_of(*last) + lane);
         let size = libm::hypot(last[0], last[1]);
         let mut own = Group::new("vector force sum")
             .data("quantity", quantity.name(notation.mechanism()))
@@ -2077,12 +2162,16 @@ fn polygon(
     requests.push(Request::new(pole.clone(), LABEL, site, "label image-name"));
     let names = place(&group, &requests, None);
     group.group(names);
+    let aside = |stroke: &Stroke| {
+        let own = strokes.iter().position(|other| std::ptr::eq(other, stroke));
+        own.map_or(Vec2::ZERO, |own| lanes[own])
+    };
     let sides: Vec<Side> = sides
         .into_iter()
         .filter(|stroke| stroke.length() > 0.0)
         .map(|stroke| Side {
-            from: place_of(stroke.ends[0]),
-            to: place_of(stroke.ends[1]),
+            from: place_of(stroke.ends[0]) + aside(stroke),
+            to: place_of(stroke.ends[1]) + aside(stroke),
             name: stroke.symbol.clone(),
             known: stroke.of == Laid::Known,
         })

@@ -107,6 +107,21 @@ pub fn force_paper(
     }
 }
 
+/// The scale of the smallest figure on which lengths are measured, metres per millimetre: the skeleton, or one of instant
+/// centres that lie far beside it.
+#[must_use]
+pub fn smallest_lengths(
+    scene: &crate::scene::Scene,
+    construction: &crate::graphical::construction::Construction,
+) -> f64 {
+    let notation = notation::Notation::new(scene, Language::English.words());
+    let methods = construction.circle.as_ref().map_or(0, |circle| transfer::by_method(circle).len());
+    let of_transfers = (0..methods).map(|index| reach::Reach::of_transfer(index, construction, &notation));
+    let all = [reach::Reach::of_centres(construction, &notation)].into_iter().chain(of_transfers).flatten();
+    let scales = all.map(|reach| reach.construction.space.metres_per_mm);
+    scales.fold(construction.space.metres_per_mm, f64::max)
+}
+
 /// A name as a sheet prints it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Symbol {

@@ -505,7 +505,7 @@ impl<'a> Draughts<'a> {
 
     /// The centres by which velocities are carried over, with their names; those of one pin have one.
     fn centres_used(&self, circle: &CircleDiagram, own: &[&Transfer]) -> Vec<LayerPoint> {
-        let mut used = transfer::used(own.iter().copied());
+        let mut used = transfer::used(own.iter().flat_map(|transfer| &transfer.acts));
         used.extend(transfer::poles_of_gauges(own, circle));
         used.sort();
         used.dedup();

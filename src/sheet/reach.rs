@@ -27,7 +27,9 @@ pub(super) struct Reach<'a> {
 impl<'a> Reach<'a> {
     /// Of the figure of instant centres; none where there are none.
     pub fn of_centres(construction: &'a Construction, notation: &Notation<'_>) -> Option<Self> {
-        Self::of(construction, notation, |circle, skeleton| centres::window(circle, skeleton, notation))
+        Self::of(construction, notation, |circle, skeleton| {
+            centres::window(circle, construction, skeleton, notation)
+        })
     }
 
     /// Of the velocities carried over by a method, by its index; none where there is no such method.

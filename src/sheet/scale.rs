@@ -15,7 +15,7 @@ use crate::graphical::auxiliary::{AuxiliaryDrawing, StrokeShape};
 use crate::graphical::construction::{Centre, CentrePlace, CircleDiagram, Construction, Mm2};
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::quantity::{Dimension, Method, Quantity};
-use crate::mechanism::{Mechanism, PointId, Roll};
+use crate::mechanism::{LinkId, Mechanism, PointId, Roll};
 use crate::scene::Scene;
 
 /// The round steps within a decade.
@@ -246,15 +246,16 @@ impl Others {
         let apart = |method: Method| matches!(method, Method::TwoMasses { .. } | Method::Lever);
         let forces = |quantity: Quantity| matches!(quantity, Quantity::Force(..) | Quantity::Cycle(_));
         let metres = |at: Mm2| at.map(|x| x * drawn.space.metres_per_mm);
-        let centre = |circle: &CircleDiagram, centre: &Centre| match centre.place {
+        let centre = |used: &[[LinkId; 2]], centre: &Centre| match centre.place {
             CentrePlace::At(at) => {
                 let at = metres(at);
-                Some((at, is_needed(centre, point(&at), place, circle, mechanism)))
+                Some((at, is_needed(centre, point(&at), place, used, mechanism)))
             }
             CentrePlace::Toward(_) => None,
         };
         let centres = |circle: &CircleDiagram| {
-            circle.centres.iter().filter_map(|own| centre(circle, own)).collect::<Vec<_>>()
+            let used = transfer::used(transfer::acts(circle, drawn));
+            circle.centres.iter().filter_map(|own| centre(&used, own)).collect::<Vec<_>>()
         };
         let needed = |circle: &CircleDiagram| {
             let all = transfer::by_method(circle).into_iter();
@@ -287,8 +288,6 @@ impl Choices<'_> {
         const LACK: f64 = 25.0;
         /// What a point too near to another costs, and a centre that nobody asked for and that goes over the edge.
         const CROWDING: f64 = 12.0;
-        /// A polygon of this part of what is enough is large where it is not known how the pages fill.
-        const FIRM: f64 = 0.85;
         /// What a page costs, and a last page with nothing on it.
         const PAGE: f64 = 80.0;
         const WASTE: f64 = 100.0;
@@ -324,9 +323,7 @@ impl Choices<'_> {
             let lacks = |scale: Option<f64>| self.nameless(i, scale) + self.crowding(i, scale);
             let may = |scale: &Option<f64>| {
                 let larger = scale.zip(least).is_some_and(|(own, least)| own < least);
-                // A polygon that is small may grow to where the next step would be too much.
-                let enough = if i == 0 { self.enough(i) } else { FIRM * self.enough(i) };
-                let small = self.size(i, *scale) <= enough;
+                let small = i == 0 && self.size(i, *scale) <= self.enough(i);
                 !larger || !self.others.more || small || lacks(*scale) < lacks(least)
             };
             let own = self.around(i, least).into_iter().filter(may);
@@ -348,10 +345,7 @@ impl Choices<'_> {
             }
             let Some(filled) = self.filled(&way, 1.0, SPARE) else { return self.least() };
             let longer = self.filled(&way, LONGER.0, SPARE).map_or(0.0, waste);
-            // What follows begins on the last page.
-            let last = if self.others.more { filled.last.min(1.0) } else { 1.0 };
-            let pages = filled.pages as f64 - 1.0 + last;
-            let worth = worth - PAGE * pages - WASTE * (waste(filled) + LONGER.1 * longer);
+            let worth = worth - PAGE * filled.pages as f64 - WASTE * (waste(filled) + LONGER.1 * longer);
             if best.as_ref().is_none_or(|(_, most)| worth > *most) {
                 best = Some((way, worth));
             }

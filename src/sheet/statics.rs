@@ -2016,7 +2016,7 @@ impl Teller<'_> {
 
     /// The polygon of everything from outside, with its gap.
     fn whole_told(&self) -> Vec<Item> {
-        if self.sheet.whole.len() < 3 {
+        if self.sheet.whole.len() < 3 || super::forces::whole_repeats(self.sheet) {
             return Vec::new();
         }
         let Some(per_mm) = per_mm(self.sheet, ForcePanel::Whole, self.n) else { return Vec::new() };

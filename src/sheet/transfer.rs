@@ -360,8 +360,20 @@ fn leader(text: Rich, at: Point, radius: f64, class: &'static str) -> Request {
     request
 }
 
+/// All acts by which velocities are carried over: those of the figures, and those of steps that feed a diagram.
+pub(super) fn acts<'a>(
+    circle: &'a CircleDiagram,
+    construction: &'a Construction,
+) -> impl Iterator<Item = &'a TransferAct> {
+    let fed = construction.steps.iter().flat_map(|step| &step.acts).filter_map(|act| match act {
+        Act::ByCentres(part) => Some(part),
+        _ => None,
+    });
+    circle.transfers.iter().flat_map(|transfer| &transfer.acts).chain(fed)
+}
+
 /// The centres by which velocities are carried over.
-pub(super) fn used<'a>(transfers: impl Iterator<Item = &'a Transfer>) -> Vec<[LinkId; 2]> {
+pub(super) fn used<'a>(acts: impl Iterator<Item = &'a TransferAct>) -> Vec<[LinkId; 2]> {
     let mut used: Vec<[LinkId; 2]> = Vec::new();
     let mut take = |links: &[LinkId]| {
         for &link in links {
@@ -371,7 +383,7 @@ pub(super) fn used<'a>(transfers: impl Iterator<Item = &'a Transfer>) -> Vec<[Li
             used.push(chord(i, j));
         }
     };
-    for act in transfers.flat_map(|t| &t.acts) {
+    for act in acts {
         match act {
             TransferAct::Ratio { input, link, .. } => take(&[*input, *link]),
             TransferAct::CommonSpeed { links, .. } => take(links),
@@ -409,7 +421,7 @@ fn centres(
     notation: &Notation<'_>,
     overlay: &mut Overlay,
 ) {
-    let used = used(transfers.iter().copied());
+    let used = used(transfers.iter().flat_map(|transfer| &transfer.acts));
     let poles = poles_of_gauges(transfers, circle);
     let mut used: Vec<[LinkId; 2]> = used.into_iter().chain(poles).collect();
     used.sort();
