@@ -26,7 +26,7 @@ const LARGEST: (f64, f64) = (150.0, 138.0);
 /// What names and caption need around a figure that fills the paper, width and height.
 pub(super) const AROUND: (f64, f64) = (2.0, 24.0);
 /// Blank kept between a centre that is needed and the border: its name stands above or below it.
-pub(super) const ABOUT_NEEDED: f64 = 5.0;
+const ABOUT_NEEDED: f64 = 5.0;
 /// Blank kept between another centre and the border, and about the skeleton.
 const BORDER: f64 = 9.0;
 /// Centres closer than this on paper have one label.
@@ -135,7 +135,7 @@ pub(super) fn window_over(skeleton: Rect, centres: &[(Point, bool)], paper: (f64
 }
 
 /// How large a figure may be on such paper for the sake of what it needs.
-pub(super) const fn for_needed((width, height): (f64, f64)) -> (f64, f64) {
+const fn for_needed((width, height): (f64, f64)) -> (f64, f64) {
     (width - AROUND.0, height - AROUND.1)
 }
 

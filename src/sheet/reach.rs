@@ -41,7 +41,7 @@ impl<'a> Reach<'a> {
         transfer::by_method(construction.circle.as_ref()?).get(index)?;
         Self::of(construction, notation, |circle, skeleton| {
             let transfers = transfer::by_method(circle).into_iter().nth(index).unwrap_or_default();
-            transfer::window(&transfers, circle, skeleton, notation)
+            transfer::window(&transfers, skeleton, notation)
         })
     }
 

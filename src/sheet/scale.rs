@@ -259,8 +259,7 @@ impl Others {
         };
         let needed = |circle: &CircleDiagram| {
             let all = transfer::by_method(circle).into_iter();
-            all.map(|same| transfer::needed(&same, circle).into_iter().map(metres).collect())
-                .collect::<Vec<_>>()
+            all.map(|same| transfer::needed(&same).into_iter().map(metres).collect()).collect::<Vec<_>>()
         };
         Self {
             legend: !scene.sheet.positions.is_empty() || scene.sheet.other_assembly,
@@ -504,7 +503,7 @@ impl Choices<'_> {
                 let needed: Vec<Point> =
                     needed.iter().map(|at| Point::new(at[0] / scale, at[1] / scale)).collect();
                 let start = self.skeleton(scale).inflate(transfer::BORDER, transfer::BORDER);
-                transfer::window_over(start, &needed, Vec::new(), self.paper, self.stretch)
+                transfer::window_over(start, &needed, Vec::new(), self.stretch)
             });
             window
         };

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use kurbo::{Point, Rect};
 
-use super::centres::{ABOUT_NEEDED, for_needed, taking_in};
+use super::centres::taking_in;
 use super::circle::{centre_name, name};
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone, on_circle};
 use super::human;
@@ -103,14 +103,9 @@ pub(super) fn ends(stroke: &TransferInk) -> (Point, Point) {
     (page(*from), page(*to))
 }
 
-/// The skeleton's ink and all arrows, with what is needed as far as the paper reaches, and as many ends of other strokes as
-/// find room: a line ends at a point that is on the sheet.
-pub(super) fn window(
-    transfers: &[&Transfer],
-    circle: &CircleDiagram,
-    skeleton: Rect,
-    notation: &Notation<'_>,
-) -> Window {
+/// The skeleton's ink and all arrows, with what is needed, and as many ends of other strokes as find room: a line ends at a
+/// point that is on the sheet. Centres are on the paper of their own figure.
+pub(super) fn window(transfers: &[&Transfer], skeleton: Rect, notation: &Notation<'_>) -> Window {
     let strokes = strokes(transfers);
     let is_arrow = |stroke: &&TransferInk| {
         matches!(
@@ -121,46 +116,32 @@ pub(super) fn window(
     let arrows = strokes.iter().filter(is_arrow).map(ends).flat_map(|(a, b)| [a, b]);
     let arrows = arrows.map(|at| Rect::from_center_size(at, (2.0 * BLANK, 2.0 * BLANK)));
     let start = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
-    let needed: Vec<Point> = needed(transfers, circle).into_iter().map(page).collect();
+    let needed: Vec<Point> = needed(transfers).into_iter().map(page).collect();
     let ends = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
     let (wide, high) = super::scale::stretch(notation.scene);
-    window_over(start, &needed, ends, super::compose::free_paper(notation.scene), (wide, high))
+    window_over(start, &needed, ends, (wide, high))
 }
 
-/// What such a figure shows of the plane: what is needed as far as the paper reaches, then other ends of strokes on the part
-/// of it that a figure usually has, which is so much more than that of upright A4.
+/// What such a figure shows of the plane: what is needed, then other ends of strokes, on the part of the paper that a figure
+/// usually has, which is so much more than that of upright A4.
 pub(super) fn window_over(
     start: Rect,
     needed: &[Point],
     ends: Vec<Point>,
-    paper: (f64, f64),
     (wide, high): (f64, f64),
 ) -> Window {
-    let with_needed = taking_in(start, needed.to_vec(), start.center(), ABOUT_NEEDED, for_needed(paper));
-    let shows = taking_in(with_needed, ends, start.center(), BLANK, (LARGEST.0 * wide, LARGEST.1 * high));
-    Window::over(shows, needed)
+    let most = (LARGEST.0 * wide, LARGEST.1 * high);
+    let with_needed = taking_in(start, needed.to_vec(), start.center(), BLANK, most);
+    Window::over(taking_in(with_needed, ends, start.center(), BLANK, most), needed)
 }
 
-/// Without what nobody could follow the figure: the centres from which a step measures, the poles of gauge lines, and where
-/// a point comes to lie that is turned about them.
-pub(super) fn needed(transfers: &[&Transfer], circle: &CircleDiagram) -> Vec<Mm2> {
-    let at = |links: [LinkId; 2]| match circle.centre(links)?.place {
-        CentrePlace::At(at) => Some(at),
-        CentrePlace::Toward(_) => None,
-    };
-    let measured = transfers.iter().flat_map(|t| &t.acts).flat_map(measures).flat_map(|(link, spot, _)| {
-        let common = match spot {
-            Spot::Centre(links) => at(links),
-            Spot::Point(_) | Spot::Under(..) => None,
-        };
-        [at(chord(LinkId::FRAME, link)), common]
-    });
-    let turned = strokes(transfers).into_iter().flat_map(|ink| match ink {
-        TransferInk::Arc { centre, from, to } => vec![centre, from, to],
-        TransferInk::Gauge { from, .. } => vec![from],
+/// Without what nobody could follow the figure: where a point comes to lie that is turned about a pole.
+pub(super) fn needed(transfers: &[&Transfer]) -> Vec<Mm2> {
+    let turned = |ink: TransferInk| match ink {
+        TransferInk::Arc { from, to, .. } => vec![from, to],
         _ => Vec::new(),
-    });
-    measured.flatten().chain(turned).collect()
+    };
+    strokes(transfers).into_iter().flat_map(turned).collect()
 }
 
 /// The distances from poles that an act uses: of which link, to where, mm on paper.
@@ -530,6 +511,7 @@ pub fn items(
     let mut every = Vec::new();
     for index in 0..by_method(circle).len() {
         let Some(reach) = Reach::of_transfer(index, construction, notation) else { continue };
+        let Some(centres) = Reach::of_centres(construction, notation) else { continue };
         let shown = reach.construction.circle.as_ref().map(by_method).unwrap_or_default();
         let Some(same) = shown.into_iter().nth(index) else { continue };
         let mut all = vec![Item::Head(title(&same, notation).bolder())];
@@ -543,7 +525,7 @@ pub fn items(
         // What the steps have derived by the same method stands as they have printed it.
         let shared = fed && same.iter().all(|transfer| transfer.method == Method::Centres);
         let figures_here = if shared { figures } else { &own };
-        let teller = Teller { notation, reach: &reach, si_per_mm, figures: figures_here };
+        let teller = Teller { notation, reach: &reach, centres: &centres, si_per_mm, figures: figures_here };
         let mut told: Vec<&TransferAct> = Vec::new();
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
@@ -579,14 +561,17 @@ pub(super) fn lines(
     let Some(reach) = Reach::of_centres(construction, notation) else { return Vec::new() };
     let by = construction.space.metres_per_mm / reach.construction.space.metres_per_mm;
     let part = &part.with_lengths_by(by);
-    let teller = Teller { notation, reach: &reach, si_per_mm: diagram.si_per_mm, figures };
+    let si_per_mm = diagram.si_per_mm;
+    let teller = Teller { notation, reach: &reach, centres: &reach, si_per_mm, figures };
     teller.measured(part).into_iter().chain([teller.sentence(part)]).collect()
 }
 
 struct Teller<'a> {
     notation: &'a Notation<'a>,
-    /// The figure on which it is measured.
+    /// The figure that is drawn of it.
     reach: &'a Reach<'a>,
+    /// The figure of instant centres, on which what is beyond the other one is measured.
+    centres: &'a Reach<'a>,
     /// Of the velocities on the skeleton.
     si_per_mm: f64,
     /// How each number is printed.
@@ -602,14 +587,14 @@ impl Teller<'_> {
         self.notation.symbol(Quantity::Omega(link), false)
     }
 
-    /// Of a pole and of where a distance from it ends, the centre that is not on the paper; none where both are.
-    fn beyond(&self, link: LinkId, spot: Spot) -> Option<[LinkId; 2]> {
+    /// Of a pole and of where a distance from it ends, the centre that is not on the paper of a figure; none where both are.
+    fn beyond(&self, figure: &Reach<'_>, link: LinkId, spot: Spot) -> Option<[LinkId; 2]> {
         let pole = chord(LinkId::FRAME, link);
         let end = match spot {
             Spot::Centre(links) => Some(links),
             Spot::Point(_) | Spot::Under(..) => None,
         };
-        end.into_iter().chain([pole]).find(|links| self.reach.lies_beyond(*links))
+        end.into_iter().chain([pole]).find(|links| figure.lies_beyond(*links))
     }
 
     /// That the slope of a gauge line is the rate, where the method is that of gauge lines.
@@ -695,7 +680,12 @@ impl Teller<'_> {
         if self.figures.borrow().has(key) {
             return None;
         }
-        let (factor, exact) = (self.metres_per_mm() / unit.si, metres / unit.si);
+        let own = self.beyond(self.reach, link, spot);
+        // It is measured where it is on the paper.
+        let figure = if own.is_some() { self.centres } else { self.reach };
+        let metres_per_mm = figure.construction.space.metres_per_mm;
+        let mm = mm * self.metres_per_mm() / metres_per_mm;
+        let (factor, exact) = (metres_per_mm / unit.si, metres / unit.si);
         let more = self.figures.borrow().more(key).min(1);
         let told = human::reading_exactly(mm.abs(), factor, more);
         let (mm, value, written) = told.unwrap_or_else(|| human::reading_at(mm.abs(), factor, exact, more));
@@ -706,11 +696,11 @@ impl Teller<'_> {
         };
         let length = distance(chord(LinkId::FRAME, link), &end, self.notation);
         let value = human::with_unit(&value, &unit.symbol);
-        if let Some(centre) = self.beyond(link, spot) {
+        if let Some(centre) = own.and_then(|_| self.beyond(self.centres, link, spot)) {
             let parts = [("centre", name(centre, self.notation)), ("length", length), ("value", value)];
             return Some(Rich::fill(self.notation.words.distance_beyond, &parts));
         }
-        Some(super::steps::measured_length(length, [mm, value], self.metres_per_mm(), self.notation))
+        Some(super::steps::measured_length(length, [mm, value], metres_per_mm, self.notation))
     }
 
     fn sentence(&self, act: &TransferAct) -> Rich {
