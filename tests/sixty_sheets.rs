@@ -485,7 +485,8 @@ fn forces_of_one_line_lie_beside_each_other() {
         "input": { "link": 2, "angle": 40, "omega": "20 rad/s ccw" }, "find": ["T(2)", "F(3,4)"] }"#,
     );
     let figure = solution(&scene);
-    let polygons = panels(&figure, "polygon");
+    let polygons: Vec<&Group> =
+        panels(&figure, "polygon").into_iter().filter(|group| has(group, "force")).collect();
     assert!(!polygons.is_empty());
     for polygon in polygons {
         let arrows: Vec<(Point, Point)> = within(polygon)
@@ -502,7 +503,8 @@ fn forces_of_one_line_lie_beside_each_other() {
         for (i, a) in arrows.iter().enumerate() {
             for b in &arrows[i + 1..] {
                 let along = (a.1 - a.0).normalize();
-                let on = (b.0 - a.0).cross(along).abs() < 1.0;
+                let off = |p: Point| (p - a.0).cross(along).abs();
+                let on = off(b.0) < 1.0 && off(b.1) < 1.0;
                 let reach = |p: Point| (p - a.0).dot(along);
                 let (low, high) = (reach(b.0).min(reach(b.1)), reach(b.0).max(reach(b.1)));
                 let shared = high.min(a.0.distance(a.1)) - low.max(0.0);
