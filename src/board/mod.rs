@@ -226,6 +226,14 @@ impl Board {
         self.tape.is_weak(amount.0.mark)
     }
 
+    /// Whether an amount exceeds its error clearly, as a divisor must; where nobody may ask, never.
+    pub fn stands_clear(&mut self, amount: Amount) -> bool {
+        /// The same eighth by which the tape calls a divisor weak.
+        const ERRORS: f64 = 8.0;
+        let Num { value, mark } = amount.0;
+        self.tape.error(mark).is_some_and(|error| value.abs() > ERRORS * error)
+    }
+
     /// What the next strokes are drawn for; returns what the last ones were drawn for.
     pub fn purpose(&mut self, purpose: &'static str) -> &'static str {
         std::mem::replace(&mut self.purpose, purpose)

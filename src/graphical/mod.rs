@@ -378,7 +378,7 @@ pub fn solution(
         drawn = on_a_board(&loose).map_err(ranged)?.1;
     }
     let Some(choose) = choose else {
-        return Ok((board, read_off(drawn, plan, shown::places)));
+        return Ok((board, read_off(drawn, plan, forces::record_numbers, shown::places)));
     };
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
@@ -397,7 +397,7 @@ fn finish(draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solution
     let mechanism = draughtsman.mechanism;
     let asked: HashSet<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
     let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
-    let mut solution = read_off(draughtsman, plan, shown::all);
+    let mut solution = read_off(draughtsman, plan, forces::record, shown::all);
     let Solution { construction, tape, shown, .. } = &mut solution;
     let mut zeros = settle::zeros(shown, tape, construction, is_told);
     settle::with_rigid(&mut zeros, mechanism, construction);
@@ -405,16 +405,18 @@ fn finish(draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solution
     solution
 }
 
-/// Draws what is planned besides and reads off what is asked, and of everything else what `shown` reads.
+/// Draws what is planned besides and reads off what is asked, and of everything else what `record` keeps of forces and `shown`
+/// reads.
 fn read_off(
     mut draughtsman: Draughtsman<'_>,
     plan: &Plan,
+    record: impl Fn(&mut Draughtsman<'_>, &Plan) -> Option<construction::ForceSheet>,
     shown: impl Fn(&mut Draughtsman<'_>) -> Vec<Shown>,
 ) -> Solution {
     auxiliary::draw(&mut draughtsman, plan);
     draughtsman.note_rooms();
     let (answers, slots) = reading::answers(&mut draughtsman);
-    let sheet = forces::record(&mut draughtsman, plan);
+    let sheet = record(&mut draughtsman, plan);
     draughtsman.note_forces(sheet);
     let shown = shown(&mut draughtsman);
     let lines = shown::lines(&mut draughtsman);

@@ -23,7 +23,8 @@ use super::{Balance, Holder, Item, Pull};
 /// After so many passes the forces come to no end.
 const MOST_PASSES: usize = 60;
 
-/// Before the last pass, a force below this part of the largest one has no direction to go by.
+/// Before the last pass, a force below this part of the largest one has no direction to go by, if it does not stand clear
+/// of its error.
 const FAINT: f64 = 1e-9;
 
 /// One that was above it, and by which a force leans already, keeps its direction down to this part of that: a lean may
@@ -492,10 +493,11 @@ impl Draughtsman<'_> {
             let Some([x, y]) = look.forces[index] else { continue };
             let leaned = gone_by.contains_key(&index);
             let faint = if leaned { look.has_faded([x, y]) } else { look.is_faint([x, y]) };
+            let Some(pull) = self.force_of(balance, rub) else { continue };
+            let faint = faint && !self.is_seen(pull);
             if (x == 0.0 && y == 0.0) || (turns.is_none() && faint) {
                 continue;
             }
-            let Some(pull) = self.force_of(balance, rub) else { continue };
             // A drawing of this one place: there what is no more than rounding rubs no more than that.
             if faint && !self.board.tape().will_be_run() {
                 self.rub_faintly(leaning, rub);
@@ -561,6 +563,11 @@ impl Draughtsman<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a force has a direction however faint it is beside others: it stands clear of its error.
+    fn is_seen(&mut self, pull: Pull) -> bool {
+        self.components_of(pull).into_iter().any(|part| self.board.stands_clear(part))
     }
 
     /// Notes by which flank teeth drive. Where something is sought by trials a trial must lean as the whole will: what
@@ -874,7 +881,7 @@ pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, S
         // A guide that is hardly pressed in the other balance does not rub there, and fits on either side.
         let presses = |(slide, left): &(usize, bool)| {
             let pressing = tried.pressing.get(slide);
-            pressing.is_none_or(|pressing| (if *left { *pressing } else { -pressing }) > FAINT)
+            pressing.is_none_or(|pressing| (*pressing > 0.0) == *left)
         };
         tried.ends && sides.iter().all(presses) && !tried.is_one_with(&own)
     };

@@ -24,7 +24,7 @@ mod triad;
 pub(crate) use friction::holds;
 pub(super) use friction::{Begun, redrawn};
 pub(super) use read::ForceRead;
-pub(super) use record::{quantities, record};
+pub(super) use record::{quantities, record, record_numbers};
 pub(super) use rolling::PULLS;
 pub(super) use spin::NO_SPEED;
 

@@ -32,16 +32,40 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     {
         return Some(sheet);
     }
+    let share = told_share(d)?;
+    d.told = share;
+    let sheet = of_share(d, plan, share);
+    d.told = Share::Total;
+    sheet
+}
+
+/// What is told beside the numbers where nothing is drawn of forces: what rubs, and stiffnesses. Of free bodies and their
+/// bounds there is none.
+pub(in super::super) fn record_numbers(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
+    if d.acts_without_direction() {
+        return None;
+    }
+    if d.mechanism.forces.spin.is_some() {
+        return record(d, plan);
+    }
+    let share = told_share(d)?;
+    let balance = d.balances.iter().find(|(of, _)| *of == share).map(|(_, balance)| balance.clone())?;
+    d.told = share;
+    let passes = balance.leaning.passes();
+    let rubs = balance.leaning.rubs().to_vec().into_iter().filter_map(|rub| d.touching(rub)).collect();
+    let stiffnesses = d.stiffnesses_told(share);
+    d.told = Share::Total;
+    Some(ForceSheet { share, rubs, passes, stiffnesses, ..ForceSheet::default() })
+}
+
+/// Which part of the forces is told.
+fn told_share(d: &Draughtsman<'_>) -> Option<Share> {
     // With a drag a governor that rests is in balance while its sleeve is about to move.
     let told = |share: &Share| {
         let balanced = |balance: &Balance| balance.refused.is_none() && !balance.unbalanced;
         d.balances.iter().any(|(of, found)| of == share && balanced(found))
     };
-    let share = [Share::Total, Share::Rising, Share::Falling].into_iter().find(told)?;
-    d.told = share;
-    let sheet = of_share(d, plan, share);
-    d.told = Share::Total;
-    sheet
+    [Share::Total, Share::Rising, Share::Falling].into_iter().find(told)
 }
 
 /// The free bodies of one part of what acts.
