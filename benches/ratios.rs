@@ -284,6 +284,70 @@ fn arithmetics() {
     }
 }
 
+/// A slider-crank with a heavy rod and piston; `pins` and `slide` say what rubs.
+fn loaded_crank(pins: &str, slide: &str, find: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+             "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }},
+                        "3": {{ "joins": ["A", "B"], "length": 220 }} }},
+             "slides": [ {{ "pin": "B", "block": 4, {slide} "on": {{ "link": 1, "through": "O2" }} }} ],
+             "near": {{ "B": [240, 0] }}, "input": {{ "link": 2, "angle": 50, "omega": 100 }},
+             "pins": {{ {pins} }},
+             "masses": {{ "3": {{ "mass": 1.2, "inertia": 0.008, "at": [70, 0] }}, "4": {{ "mass": 0.9 }} }},
+             "loads": [ {{ "on": 4, "force": 1500, "direction": "against" }} ], "find": {find} }}"#
+    ))
+}
+
+/// The four-bar with mass and inertia in its coupler and rocker, and a couple on the rocker.
+fn loaded_four_bar(find: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [180, 0] }},
+             "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }},
+                        "3": {{ "joins": ["A", "B"], "length": 140 }},
+                        "4": {{ "joins": ["O4", "B"], "length": 120 }} }},
+             "near": {{ "B": [100, 120] }}, "input": {{ "link": 2, "angle": 30, "omega": 10, "alpha": 5 }},
+             "masses": {{ "3": {{ "mass": 1.5, "inertia": 0.004, "at": [60, 10] }},
+                         "4": {{ "mass": 2, "inertia": 0.006, "at": [50, 5] }} }},
+             "loads": [ {{ "on": 4, "torque": "20 N*m cw" }} ], "find": {find} }}"#
+    ))
+}
+
+/// Forces: position by position, with bounds, and over a cycle.
+fn forces() {
+    heading("T(2), position by position", "ns");
+    let torque = r#"["T(2)"]"#;
+    row("four-bar with inertia (target 300)", swept(&loaded_four_bar(torque).mechanism), None);
+    row("slider-crank with inertia (target 300)", swept(&loaded_crank("", "", torque).mechanism), None);
+    let pins = r#""A": { "radius": 18, "f": 0.08 }, "B": { "radius": 12, "f": 0.08 }"#;
+    let rubs = loaded_crank(pins, r#""f": 0.1,"#, torque);
+    row("slider-crank, three pairs rub (target 3000)", swept(&rubs.mechanism), None);
+
+    heading("solved once with bounds, beside accelerations", "us");
+    let accelerations = r#"["a(A)", "a(B)", "alpha(3)", "alpha(4)"]"#;
+    let pairs = r#"["T(2)", "F(1,2)", "F(2,3)", "F(3,4)", "F(1,4)"]"#;
+    let of_crank = r#"["a(A)", "a(B)", "alpha(3)"]"#;
+    for (name, motion, forces) in [
+        ("four-bar", loaded_four_bar(accelerations), loaded_four_bar(pairs)),
+        ("slider-crank", loaded_crank("", "", of_crank), loaded_crank("", "", pairs)),
+    ] {
+        let measure = |scene: &Scene| time(1000.0, || solve(scene, Arithmetic::Double));
+        let floor = measure(&motion);
+        row(&format!("{name}: accelerations"), floor, None);
+        row(&format!("{name}: T(2) and every F (target 3)"), measure(&forces), Some(floor));
+    }
+
+    heading("a turning-moment diagram with its flywheel", "us");
+    let mut engine = example("forces/gas-engine");
+    engine.mechanism.asked.retain(|asked| ["Tmean", "Ef", "If"].contains(&asked.name.as_str()));
+    let cycle = r#"["Tmean", "Ef", "If"], "cycle": { "load": { "of": 2 }, "fluctuation": 0.02 }"#;
+    for (name, scene) in [
+        ("slider-crank, one turn (target 20000)", loaded_crank("", "", cycle)),
+        ("gas engine, two turns (target 20000)", engine),
+    ] {
+        row(name, time(1000.0, || solve(&scene, Arithmetic::Double)), None);
+    }
+}
+
 fn lengths() {
     heading("chains of dyads: one position, per link", "ns");
     let mut first = None;
@@ -426,6 +490,7 @@ fn main() -> std::io::Result<()> {
     sweeps();
     bounds();
     arithmetics();
+    forces();
     lengths();
     growth();
     whole_way();
