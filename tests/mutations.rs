@@ -9,6 +9,7 @@
 //! | tangential part dropped from a(B) | by hand | α = 0 |
 //! | Coriolis omitted | by hand, in the slotted lever | – |
 //! | ω taken for α, two links exchanged | by hand | – |
+//! | forces: F_in, T_in, side of h, weights, tangents, leans | every one of the public scenes | pressure of teeth |
 //! | wrong branch | mirrored `near` | mirrored `near` |
 //! | refusal | – | a length with which the chain does not close |
 //!
@@ -22,6 +23,7 @@ use crate::common;
 
 use linkgram::analytic::{AnalyticError, State};
 use linkgram::check::{Agreement, agreement};
+use linkgram::graphical::{Departure, Searched, Twist, sketch};
 use linkgram::mechanism::Input;
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
@@ -376,4 +378,96 @@ fn a_refusal_of_one_solver_is_noticed() {
     });
     assert!(!agreement.ok());
     assert!(agreement.refused.is_some());
+}
+
+/// The same solution with the numbers of a drawing that departs from the right one; their bounds stay.
+fn drawn_with(both: &mut Both, departure: Departure) {
+    let Solved { structure, plan, scales, .. } = &both.solved;
+    let manner = (&[departure][..], &Searched::default());
+    let sketch = sketch(&both.scene.mechanism, structure, plan, *scales, manner, None).unwrap();
+    for (index, numbers) in sketch.numbers.iter().enumerate() {
+        match (both.drawn(index), numbers.as_deref()) {
+            (Answer::Scalar { value, .. }, Some([number])) => *value = *number,
+            (Answer::Vector { value, .. }, Some([x, y])) => *value = [*x, *y],
+            _ => {}
+        }
+    }
+}
+
+/// In public scenes of forces: inertia and weights with the other sign, inertia at the other side or none, weights as masses, the other tangent, the lean to the other side, guides that press aside, and part of the loads left out. Whatever
+/// is another drawing is noticed.
+#[test]
+fn departures_of_forces_are_noticed() {
+    let stems =
+        ["s000-ch5-1", "s000-ch5-2", "s000-ch5-16", "s000-ch5-20", "s000-ch5-21", "friction-slider-crank"];
+    let stems = stems.map(|stem| format!("examples/forces/{stem}"));
+    let heavy = ["cylinder-offset-three-links", "rough-pin-of-heavy-block"];
+    let stems = stems.into_iter().chain(heavy.map(|stem| format!("tests/derived/{stem}")));
+    let mut noticed = std::collections::BTreeMap::new();
+    for stem in stems {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("{stem}.json"));
+        let text = std::fs::read_to_string(path).unwrap();
+        let right = || both(&linkgram::scene::read(&text, &stem).unwrap());
+        let truth = right();
+        assert!(truth.agreement().ok(), "{stem}");
+        let m = &truth.scene.mechanism;
+        let links = (0..m.links.len()).map(linkgram::mechanism::LinkId);
+        let mut departures: Vec<(&str, Departure)> = Vec::new();
+        for link in links.map(Some).chain([None]) {
+            departures.extend([
+                ("Fin", Departure::InertiaForce { link, twist: Twist::scaled(-1.0) }),
+                ("no Fin", Departure::InertiaForce { link, twist: Twist::scaled(0.0) }),
+                ("Tin", Departure::InertiaTorque { link, factor: -1.0 }),
+                ("side of h", Departure::Offset { link, factor: -1.0 }),
+                ("weight as mass", Departure::Weight { link, factor: 9.81 }),
+                ("weight up", Departure::Weight { link, factor: -1.0 }),
+            ]);
+        }
+        for pin in &m.forces.friction.pins {
+            departures.push(("tangent", Departure::FrictionCircle { pin: pin.pin, factor: -1.0 }));
+        }
+        for slide in &m.forces.friction.slides {
+            departures.push(("lean", Departure::FrictionAngle { slide: slide.slide, factor: -1.0 }));
+        }
+        for slide in 0..m.slides.len() {
+            departures.push(("guide", Departure::GuideForce { slide, along: 1.0 }));
+        }
+        let before: Vec<Answer> =
+            truth.solved.solution.construction.answers.iter().map(|reading| reading.answer.clone()).collect();
+        for (what, departure) in departures {
+            let mut other = right();
+            drawn_with(&mut other, departure);
+            let after = &other.solved.solution.construction.answers;
+            let moved = before.iter().zip(after).any(|(before, after)| match (before, &after.answer) {
+                (Answer::Scalar { value: a, .. }, Answer::Scalar { value: b, .. }) => {
+                    (a - b).abs() > 1e-6 * a.abs()
+                }
+                (Answer::Vector { value: [ax, ay], .. }, Answer::Vector { value: [bx, by], .. }) => {
+                    libm::hypot(ax - bx, ay - by) > 1e-6 * libm::hypot(*ax, *ay)
+                }
+                _ => false,
+            });
+            if moved {
+                assert!(!other.agreement().ok(), "{stem}: {what} {departure:?} is not noticed");
+                *noticed.entry(what).or_insert(0) += 1;
+            }
+        }
+    }
+    println!("{noticed:?}");
+    let wanted =
+        ["Fin", "no Fin", "Tin", "side of h", "weight as mass", "weight up", "tangent", "lean", "guide"];
+    for what in wanted {
+        assert!(noticed.contains_key(what), "{what}: {noticed:?}");
+    }
+}
+
+/// The angle of pressure to the other side, in the independent solver.
+#[test]
+fn teeth_that_pull_together_are_noticed() {
+    let told = with_planted("forces/planetary-gear", |mechanism| {
+        for (_, angle) in &mut mechanism.forces.pressures {
+            angle.value = -angle.value;
+        }
+    });
+    assert!(!apart(&told).is_empty());
 }
