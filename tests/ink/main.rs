@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
+mod forces;
 mod reader;
 use crate::{sheets, statements};
 

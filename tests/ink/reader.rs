@@ -191,21 +191,21 @@ fn claim(node: Node) -> Option<Claim> {
     parallel.or_else(|| line("data-perpendicular").map(|line| Claim { perpendicular: true, line }))
 }
 
-fn has(node: Node, class: &str) -> bool {
+pub fn has(node: Node, class: &str) -> bool {
     node.attribute("class").is_some_and(|all| all.split(' ').any(|c| c == class))
 }
 
-fn having<'a>(node: Node<'a, 'a>, class: &'static str) -> impl Iterator<Item = Node<'a, 'a>> {
+pub fn having<'a>(node: Node<'a, 'a>, class: &'static str) -> impl Iterator<Item = Node<'a, 'a>> {
     node.descendants().filter(move |n| has(*n, class))
 }
 
-fn data<'a>(node: Node<'a, 'a>, name: &str) -> &'a str {
+pub fn data<'a>(node: Node<'a, 'a>, name: &str) -> &'a str {
     let full = format!("data-{name}");
     node.attribute(full.as_str()).unwrap_or_else(|| panic!("{full} is missing"))
 }
 
 /// The centre of the circle by which a point is marked.
-fn circle(group: Node) -> Mm2 {
+pub fn circle(group: Node) -> Mm2 {
     let circle =
         group.descendants().find(|n| n.has_tag_name("circle")).expect("a point is marked by a circle");
     let number = |name| -> f64 { circle.attribute(name).unwrap().parse().unwrap() };
@@ -228,7 +228,7 @@ fn centre_of_arc(node: Node) -> Option<Mm2> {
 }
 
 /// The places of a path of straight strokes.
-fn path(node: Node) -> Vec<Mm2> {
+pub fn path(node: Node) -> Vec<Mm2> {
     let d = node.attribute("d").expect("a path has data");
     let numbers: Vec<f64> = d
         .split(['M', 'L', 'Z', ' '])
@@ -239,7 +239,7 @@ fn path(node: Node) -> Vec<Mm2> {
 }
 
 /// The characters of a text; what is set smaller and higher than its neighbour is an exponent.
-fn text_of(text: Node) -> String {
+pub fn text_of(text: Node) -> String {
     let mut out = String::new();
     let mut base = 0.0_f64;
     for run in text.children().filter(|n| n.has_tag_name("tspan")) {
@@ -268,13 +268,13 @@ fn number(words: &[&str]) -> f64 {
 }
 
 /// The number that ends a list of words.
-fn last_number(words: &[&str]) -> f64 {
+pub fn last_number(words: &[&str]) -> f64 {
     let count = if words.last().is_some_and(|w| w.starts_with("10^")) { 3 } else { 1 };
     number(&words[words.len() - count..])
 }
 
 /// Reality per paper of `scale 1 : 10`.
-fn printed_ratio(caption: &str) -> f64 {
+pub fn printed_ratio(caption: &str) -> f64 {
     let (paper, real) = caption.split_once(" : ").expect("the skeleton has a printed scale");
     let paper: Vec<&str> = paper.split_whitespace().collect();
     let real: Vec<&str> = real.split_whitespace().collect();
