@@ -69,6 +69,8 @@ pub struct Room {
     pub honest: f64,
     /// That is more than the stated part: nobody should be asked for it.
     pub loose: bool,
+    /// What is allowed is more than the stated part: the value is small beside a reading, or beside the largest of its kind.
+    pub over_cap: bool,
 }
 
 /// By how much an answer may be off.
@@ -190,7 +192,7 @@ impl Ground {
             return self.read(quantity, value, unit, slips, 1.0);
         }
         let by = told(THREE_FIGURES * amount, unit);
-        let exact = |by: f64| Room { by, free: by, honest: by, loose: false };
+        let exact = |by: f64| Room { by, free: by, honest: by, loose: false, over_cap: false };
         let hand = self.standard.hand;
         let direction = (value.len() == 2).then(|| exact(told(DIRECTION.max(3.0 * hand.angle), DEGREE)));
         Allowance { size: exact(by), direction, basis: Basis::Calculated }
@@ -219,7 +221,8 @@ impl Ground {
             let measured = cap > NOTHING * honest;
             // What is read has its room, a cap is not passed.
             let by = told_up(free, unit).min(told(allowed, unit));
-            Room { by, free, honest, loose: measured && honest > cap }
+            let [loose, over_cap] = [honest, by].map(|one| measured && one > cap);
+            Room { by, free, honest, loose, over_cap }
         };
         let spread = |part: fn(&Slip) -> f64, reading: f64, least: f64| {
             [SAFETY * part(&slips.worst) + reading, part(&slips.most)].map(|slip| slip.max(least))

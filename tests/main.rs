@@ -25,6 +25,7 @@ mod examiner;
 mod extremes;
 mod fair_examiner;
 mod far_forces;
+mod fifth_examiner;
 mod force_sheets;
 mod forces;
 mod forces_arcs;

@@ -346,6 +346,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
     let language = language(job, scene)?;
     let all = grade::tolerances(scene, settings).map_err(|error| refused(scene, error))?;
     let loose = |graded: &grade::Graded| matches!(graded.allowed, Allowed::Capped { .. });
+    let over_cap = |graded: &grade::Graded| matches!(graded.allowed, Allowed::Small { .. });
     if job.json {
         let told: Vec<serde_json::Value> = all
             .iter()
@@ -354,7 +355,7 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
                     "name": graded.name, "unit": graded.unit.symbol, "right": graded.right,
                     "tolerance": graded.tolerance, "tolerance_direction_deg": graded.turn,
                     "tolerance_because": graded.because().told(language),
-                    "loose": loose(graded),
+                    "loose": loose(graded), "over_cap": over_cap(graded),
                 })
             })
             .collect();
@@ -364,7 +365,11 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
     } else {
         let mut text = String::new();
         for graded in &all {
-            let flag = if loose(graded) { "  TOO LOOSE: ask for something else, or draw larger" } else { "" };
+            let flag = match (loose(graded), over_cap(graded)) {
+                (true, _) => "  TOO LOOSE: ask for something else, or draw larger",
+                (false, true) => "  MORE THAN THE CAP",
+                (false, false) => "",
+            };
             let [right, because] =
                 [graded.expected_within(), graded.because()].map(|told| told.told(language));
             let _ = writeln!(text, "{}: {right}: {because}{flag}", graded.name);

@@ -739,14 +739,14 @@ fn letters(symbol: &str) -> String {
 
 /// One entry of `values`; nothing where its boxes were left empty.
 fn value(asked: Asked, entry: &Entry<'_>, scales: &Scales) -> Res<Option<Item>> {
-    // As sheets and reports print it: "1.049 m/s at 270°".
+    // As sheets and reports print it: "1.049 m/s at 270°", "1.049 m/s ∠ 270°".
     if let Kind::Text(text) = &entry.value.kind
         && is_vector(&asked.quantity)
-        && let Some((size, angle)) = text.split_once(" at ")
+        && let Some((size, angle)) = text.split_once(" at ").or_else(|| text.split_once('∠'))
     {
         let part = |text: String| Value { at: entry.value.at, kind: Kind::Text(text) };
         let angle = scales.given(&part(angle.replace('°', " deg")), Measure::Angle)?.value;
-        let item = scalar(asked, &part(size.to_owned()), None, entry.at, scales)?;
+        let item = scalar(asked, &part(with_plain_unit(size.trim()).into_owned()), None, entry.at, scales)?;
         return directed(item, angle).map(Some);
     }
     match &entry.value.kind {

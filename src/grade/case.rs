@@ -182,6 +182,8 @@ pub(super) struct Allowance {
     pub(super) basis: Basis,
     /// A careful hand may be off by more than the cap.
     pub(super) loose: bool,
+    /// The number is so small that more than the cap is allowed.
+    pub(super) over_cap: bool,
 }
 
 impl From<tolerance::Allowance> for Allowance {
@@ -196,6 +198,7 @@ impl From<tolerance::Allowance> for Allowance {
                 tolerance::Basis::Read => Basis::Read,
             },
             loose: allowed.loose(),
+            over_cap: allowed.size.over_cap,
         }
     }
 }
@@ -1503,7 +1506,14 @@ impl<'s> Case<'s> {
     fn allowed(&self, observation: &Observation, slip: Slip, factor: f64, seen: Option<&[f64]>) -> Allowance {
         // No part of its size is allowed of what is not seen: it is not checked.
         let exact = seen.map_or(0.0, size);
-        let same = |room: Room, basis| Allowance { room, free: room, honest: room, basis, loose: false };
+        let same = |room: Room, basis| Allowance {
+            room,
+            free: room,
+            honest: room,
+            basis,
+            loose: false,
+            over_cap: false,
+        };
         // A part of nothing is no tolerance.
         if let Some(stated) = observation.stated.filter(|stated| *stated > 0.0) {
             let turn = if exact > stated { libm::asin(stated / exact) } else { PI };
@@ -1534,7 +1544,7 @@ impl<'s> Case<'s> {
         };
         let loose = by < honest;
         let honest = Room::of(honest);
-        Allowance { room: Room::of(by), free: honest, honest, basis: Basis::Read, loose }
+        Allowance { room: Room::of(by), free: honest, honest, basis: Basis::Read, loose, over_cap: false }
     }
 
     /// The points of the skeleton that were handed in wrongly, metres.
@@ -1592,6 +1602,11 @@ impl<'s> Case<'s> {
                 && by <= ROUNDING_OFF * size(truth)
                 && (components || by < size(truth))
         })
+    }
+
+    /// The part of its value that an answer may usually be off.
+    pub(super) fn cap(&self) -> f64 {
+        self.ground.standard().max_tolerance
     }
 
     /// By how much an answer may be off without costing its marks: what no careful hand can hold to the cap is not held to

@@ -96,8 +96,13 @@ impl Laid {
 }
 
 /// Everything that may have been laid off otherwise, as all answers together tell it; `open` are those that are wrong and
-/// not explained.
-pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<Hypothesis> {
+/// not explained. Where all the others follow from the first as it was handed in, only its own `data` tell of it: a fit with as
+/// many free numbers fits whatever is handed in.
+pub(super) fn laid_off(
+    case: &Case<'_>,
+    drawn: &Change,
+    (open, data): (&[usize], Option<usize>),
+) -> Vec<Hypothesis> {
     let handed_in: Vec<usize> = open.iter().copied().filter(|&index| !case.hands_in_nothing(index)).collect();
     let vectors = handed_in.iter().filter(|&&index| case.is_vector(index)).count();
     // Each value would lead a whole turning-moment diagram through its period.
@@ -114,6 +119,7 @@ pub(super) fn laid_off(case: &Case<'_>, drawn: &Change, open: &[usize]) -> Vec<H
         Laid::Point(..) => vectors >= VECTORS,
         _ => handed_in.len() >= LEAST,
     });
+    let all = all.filter(|laid| data.is_none_or(|data| laid.numbers() < data));
     all.filter_map(|laid| fit.found(laid)).collect()
 }
 

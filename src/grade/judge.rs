@@ -143,6 +143,13 @@ const UNDECIDED: f64 = 0.5;
 /// What comes as near to answers misses them by no more than this beyond, root of the mean square in tolerances.
 const AS_CLOSE: f64 = 0.1;
 
+/// A careless hand slips by no more than this part of a number, and this many degrees.
+pub(super) const SLIP: (f64, f64) = (0.12, 6.0);
+/// What is named in the place of a slip leads this near, root of the mean square in tolerances.
+const MET: f64 = 0.5;
+/// The same of one of many lines, letters, lengths or formulas, one of which lies near any slip.
+const MET_BY_ONE_OF_MANY: f64 = 0.15;
+
 /// How much a miss, in tolerances, counts.
 fn square(miss: f64) -> f64 {
     (USUAL * miss) * (USUAL * miss)
@@ -278,6 +285,7 @@ fn is_of_all(at: &Phrase) -> bool {
         say!("the velocities"),
         say!("the accelerations"),
         say!("every reading"),
+        say!("the directions"),
         say!("every line"),
         say!("every normal part"),
         say!("every normal part that is found"),
@@ -335,19 +343,26 @@ impl Judge<'_, '_> {
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         }
         // A number that is found explains more than one that is usual: it is sought where none of these explains all that
-        // is open, or one answer.
+        // is open, or one answer. Where the student's own value alone leads to all the others, these tell nothing of it.
+        let alone = unknown.as_ref().filter(|own| self.accounts_for_the_others(own));
         if tried.first().is_none_or(|best| begins && !self.leads_to_all(best)) {
-            tried.extend(explained_by(&fitted::laid_off(self.case, self.drawn, &open)));
+            let data = alone.map(|_| self.numbers_amiss(&seen));
+            tried.extend(explained_by(&fitted::laid_off(self.case, self.drawn, (&open, data))));
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         }
-        if tried.is_empty() {
+        // A small slip lies near what one of many mistakes leads to.
+        let slip = begins && alone.is_some() && self.is_slight(&seen);
+        if slip {
+            tried.retain(|one| !self.is_by_chance(one));
+        }
+        if tried.is_empty() && !slip {
             tried = self.after_own_values(&base, &standing);
         }
         // Two mistakes fit any one number: there must be more to be explained, and nothing before that nobody knows.
         let mut two = false;
         // Nor does any one number that is nothing.
         let plain = !self.unexplained && !self.case.hands_in_nothing(self.first);
-        if tried.is_empty() && open.len() > 1 && plain {
+        if tried.is_empty() && open.len() > 1 && plain && !slip {
             tried = self.pairs(&base, &hypotheses, price, unmoved);
             two = tried.len() > 1;
         }
@@ -370,6 +385,33 @@ impl Judge<'_, '_> {
             one.also = Some(Box::new(other.clone()));
         }
         (mistakes, change)
+    }
+
+    /// Whether going on from the student's own value leads to every other open answer.
+    fn accounts_for_the_others(&self, own: &Tried) -> bool {
+        let others = (0..self.verdicts.len()).filter(|&i| i != self.first && self.verdicts[i].is_none());
+        others.into_iter().all(|i| own.misses[i] <= EXPLAINED)
+    }
+
+    /// How many numbers of this answer are amiss: its magnitude, its direction.
+    fn numbers_amiss(&self, seen: &[Option<Vec<f64>>]) -> usize {
+        let room = self.case.rooms[self.first];
+        let [off, turned] = self.case.misses(self.first, seen[self.first].as_deref());
+        usize::from(off > room.by) + usize::from(turned > room.turn)
+    }
+
+    /// Whether the answer is off by no more than a careless hand may slip.
+    fn is_slight(&self, seen: &[Option<Vec<f64>>]) -> bool {
+        let Some(right) = seen[self.first].as_deref() else { return false };
+        let [off, turned] = self.case.misses(self.first, Some(right));
+        off <= SLIP.0 * size(right) && turned <= SLIP.1.to_radians()
+    }
+
+    /// Whether a mistake that leads near a slight slip is one of so many that one does by chance.
+    fn is_by_chance(&self, tried: &Tried) -> bool {
+        let Hypothesis { kind, how, .. } = &tried.hypothesis;
+        let met = if how.is_some() || one_of_many(*kind) { MET_BY_ONE_OF_MANY } else { MET };
+        self.mistake(tried).residual > met
     }
 
     /// A vector on its own line in the same polygon from which this answer follows, which does not follow from it and to which

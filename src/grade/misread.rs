@@ -87,6 +87,24 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Hypothesis> {
             add(Kind::InputAngle, say!("the input"), how, vec![InputChange::Angle { input, by }]);
         }
     }
+    // A speed in the unit in which it is usually written: only one in which it is a short number has digits to be interchanged.
+    let units = [("rad/s", 1.0), ("rpm", PI / 30.0), ("rev/s", 2.0 * PI)];
+    let speed = mechanism.inputs.iter().find_map(|input| match input {
+        Input::Angle { omega, .. } => Some(omega.value.abs()).filter(|speed| *speed > 0.0),
+        Input::Speed { .. } | Input::Slide { .. } => None,
+    });
+    for (speed, (symbol, unit)) in speed.into_iter().flat_map(|speed| units.map(|unit| (speed, unit))) {
+        for own in transposed(speed / unit) {
+            let how = say!("{} for {} {}", written(own), written(speed / unit), symbol);
+            let factor = own * unit / speed;
+            add(
+                Kind::InputSpeed,
+                say!("the input"),
+                how,
+                vec![InputChange::Rates { omega: factor, alpha: 1.0 }],
+            );
+        }
+    }
     found
 }
 

@@ -107,14 +107,14 @@ impl Report {
     pub(super) fn leaves_of_page(&self) -> f64 {
         /// Between the margins.
         const PAGE: (f64, f64) = (180.0, 266.0);
-        /// Title, name, head of the table and sum.
-        const HEADS: f64 = 30.0;
+        /// Title, head of the table and sum; the student's name; what the estimate may miss.
+        const HEADS: f64 = 18.0;
+        const NAME: f64 = 6.0;
+        const MISSED: f64 = 4.0;
         /// A sign and a line of the table, of what is said of faults and of the tolerances.
         const TABLE: (f64, f64) = (1.65, 4.0);
         const SAID: (f64, f64) = (1.9, 4.4);
         const TOLERANCES: (f64, f64) = (1.4, 3.8);
-        /// What a cell holds beyond that, most signs being narrower.
-        const SLACK: f64 = 1.15;
         /// Between two rows of the table, and about a paragraph.
         const GAP: f64 = 0.9;
         let count = |phrase: &Phrase| phrase.told(self.language).chars().count();
@@ -135,8 +135,7 @@ impl Report {
         let wanted: f64 = (1..4).map(widest).sum();
         let part = (room / wanted.max(1.0)).min(1.0);
         let row = |row: &[usize; 4]| {
-            let high =
-                (1..4).map(|column| lines(row[column], (part * widest(column)).max(1.0) * SLACK, TABLE.0));
+            let high = (1..4).map(|column| lines(row[column], (part * widest(column)).max(1.0), TABLE.0));
             GAP + high.fold(1.0, f64::max) * TABLE.1
         };
         let rows: f64 = cells.iter().map(row).sum();
@@ -150,7 +149,8 @@ impl Report {
         let because =
             self.quantities.iter().map(|graded| graded.name.chars().count() + count(&graded.because()) + 4);
         let because = 5.0 * GAP + paragraph(because.sum(), TOLERANCES);
-        PAGE.1 - HEADS - rows - more - notes - wrong.sum::<f64>() - because
+        let name = if self.student.is_some() { NAME } else { 0.0 };
+        PAGE.1 - HEADS - name - MISSED - rows - more - notes - wrong.sum::<f64>() - because
     }
 
     /// A sentence as hypertext, with names as the sheet prints them.
@@ -246,7 +246,9 @@ impl Report {
                 true => say!("{} of {}", "0", marks(one.weight)),
                 false => say!("no marks"),
             };
-            let why = format!("<bdi>{}</bdi>", escaped(&one.why.to_string()));
+            // Where it stands in the file is the examiner's; the student has its name.
+            let mend = one.why.mend.as_deref().map_or_else(String::new, |mend| format!("; {mend}"));
+            let why = format!("<bdi>{}</bdi>", escaped(&format!("{}{mend}", one.why.what)));
             let _ = writeln!(
                 page,
                 "<tr class=\"unread\"><td>{}</td><td colspan=\"3\">{}</td><td class=\"n\">{}</td></tr>",
@@ -268,9 +270,6 @@ impl Report {
             }
             page.push_str("</ol>\n");
         }
-        if let Some(svg) = overlay {
-            page.push_str(&cut(svg, strips));
-        }
         let because: Vec<String> = self
             .quantities
             .iter()
@@ -278,6 +277,9 @@ impl Report {
             .collect();
         let because = say!("How far an answer may be off: {}.", because.join("; "));
         let _ = writeln!(page, "<p><small>{}</small></p>", unit(&self.html(&because)));
+        if let Some(svg) = overlay {
+            page.push_str(&cut(svg, strips));
+        }
         page.push_str("</body>\n</html>\n");
         page
     }

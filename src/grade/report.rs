@@ -137,6 +137,15 @@ pub enum Allowed {
         /// The vector's own length on paper, mm.
         of: Option<f64>,
     },
+    /// The value is read off the drawing, and so small that more is allowed than the stated part of it.
+    Small {
+        /// What is allowed, as a part of the value.
+        part: f64,
+        /// The part that is stated.
+        most: f64,
+        /// It is small beside a reading off the paper; otherwise beside the largest of its kind.
+        of_reading: bool,
+    },
     /// A careful hand may be off by more than should be asked for.
     Capped {
         /// What a careful hand may be off, in the unit of the answer.
@@ -409,7 +418,7 @@ fn graded(
         Given::Vector(vector) => (vector.to_vec(), false),
     };
     let right = if magnitude_only && !truth.is_empty() { vec![size(&truth)] } else { truth };
-    let Allowance { room, honest, basis, loose, .. } = case.allowances[index];
+    let Allowance { room, honest, basis, loose, over_cap, .. } = case.allowances[index];
     let linear = observation.quantity.is_none_or(|q| super::answers::is_vector(&q));
     let on_paper = |amount: f64| amount / case.si_of_answer(observation);
     let degrees = |turn: f64| turn.is_finite().then(|| turn.to_degrees());
@@ -421,6 +430,9 @@ fn graded(
             honest: honest.by / si,
             turn: degrees(honest.turn).filter(|_| honest.turn > room.turn && turn.is_some()),
         },
+        Basis::Read if over_cap && room.by > case.cap() * size(&right) && size(&right) > 0.0 => {
+            Allowed::Small { part: room.by / size(&right), most: case.cap(), of_reading: linear }
+        }
         Basis::Read => Allowed::Read {
             mm: linear.then(|| on_paper(room.by)),
             of: (linear && !right.is_empty()).then(|| on_paper(size(&right))),

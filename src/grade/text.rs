@@ -101,6 +101,16 @@ impl Graded {
                 say!("read: {} mm of {} mm on paper at that place", mm, of)
             }
             Allowed::Read { .. } => say!("calculated from what is read off the drawing"),
+            Allowed::Small { part, most, of_reading: true } => say!(
+                "small on paper: two readings off it are {} % of it, so that {} % does not hold",
+                (100.0 * part).round(),
+                (100.0 * most).round()
+            ),
+            Allowed::Small { part, most, of_reading: false } => say!(
+                "small beside the largest of its kind, and read no finer than a tenth of that: that is {} % of it, so that {} % does not hold",
+                (100.0 * part).round(),
+                (100.0 * most).round()
+            ),
             Allowed::Capped { honest, turn } => {
                 let honest = digits(honest, honest / 2.0);
                 match turn.map(|turn| digits(turn, turn / 2.0)) {
@@ -314,9 +324,50 @@ impl Report {
     }
 }
 
+/// What is said of an answer that no known mistake explains and that is off by no more than a careless hand slips.
+fn slip(graded: &Graded) -> Option<Phrase> {
+    let (part, turned) = match (&graded.given[..], &graded.right[..]) {
+        (&[x, y], &[a, b]) if graded.turn.is_some() => (
+            libm::hypot(x, y) / libm::hypot(a, b) - 1.0,
+            libm::atan2(a * y - b * x, a * x + b * y).to_degrees(),
+        ),
+        (&[own], &[right]) => (own / right - 1.0, 0.0),
+        _ => return None,
+    };
+    if !(part.abs() <= super::judge::SLIP.0 && turned.abs() <= super::judge::SLIP.1) {
+        return None;
+    }
+    let (percent, degrees) = ((100.0 * part.abs()).round(), turned.abs().round());
+    let Amiss { size, direction } = graded.parts_amiss();
+    let size = size || graded.turn.is_none();
+    Some(match (size && percent >= 1.0, direction && degrees >= 1.0) {
+        (true, true) => say!(
+            "No known mistake leads to this value; it is about {} % and {}° off, as by a slip in drawing or reading.",
+            percent,
+            degrees
+        ),
+        (false, true) => say!(
+            "No known mistake leads to this value; it is about {}° off, as by a slip in drawing or reading.",
+            degrees
+        ),
+        (true, false) if part > 0.0 => say!(
+            "No known mistake leads to this value; it is about {} % too large, as by a slip in drawing or reading.",
+            percent
+        ),
+        (true, false) => say!(
+            "No known mistake leads to this value; it is about {} % too small, as by a slip in drawing or reading.",
+            percent
+        ),
+        (false, false) => return None,
+    })
+}
+
 /// What is said of a wrong answer: what it probably is, and where to look.
 pub(super) fn sentence(graded: &Graded) -> Phrase {
     let Some(mistake) = graded.mistakes.first() else {
+        if let Some(slip) = slip(graded) {
+            return slip;
+        }
         return match graded.step {
             Some(step) => say!(
                 "No known mistake leads to this value; compare your drawing from step {} of the solution on.",

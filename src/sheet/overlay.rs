@@ -32,7 +32,7 @@ const SHEET: (f64, f64) = (180.0, 150.0);
 /// Width of a printed page between its margins, mm.
 const PAGE: f64 = 180.0;
 /// Room of one drawing on a printed page, mm: the first in which all fit what is left of the page.
-const ROOMS: [(f64, f64); 5] = [(PAGE, 150.0), (PAGE, 100.0), (PAGE, 72.0), (83.0, 100.0), (83.0, 72.0)];
+const ROOMS: [(f64, f64); 3] = [(PAGE, 150.0), (PAGE, 100.0), (PAGE, 72.0)];
 /// Where all do not fit it, the report goes on overleaf, as long as the first strip does.
 const OVERLEAF: f64 = 250.0;
 /// How often a drawing is made smaller that does not fit its room: names do not shrink with it.
@@ -177,7 +177,7 @@ fn on_page(left: f64, strips: impl Fn((f64, f64)) -> (Group, f64)) -> (Group, f6
         if height + 2.0 * LINE <= left {
             return (group, height);
         }
-        let goes_on = top <= left && height - top + 2.0 * LINE <= OVERLEAF;
+        let goes_on = top < height && top <= left && height - top + 2.0 * LINE <= OVERLEAF;
         if kept.is_none() && (goes_on || height <= OVERLEAF) {
             kept = Some((group, height));
         }
