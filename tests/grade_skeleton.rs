@@ -552,7 +552,9 @@ fn lines_of_centres_of_an_exam_cross_clearly() {
             linkgram::plan::Extent::WholeSkeleton,
             linkgram::sheet::scale::for_scene,
         );
-        let mm = 1e-3 / solved.unwrap().solution.construction.space.metres_per_mm;
+        // At the scale of the figure on which centres are measured.
+        let construction = solved.unwrap().solution.construction;
+        let mm = 1e-3 / linkgram::sheet::smallest_lengths(&variant.scene, &construction);
         let lines = [([0.0; 2], a, b, minus(b, pivot)), (a, minus(b, a), [0.0; 2], pivot)];
         for (from, one, there, other) in lines {
             let sine = cross(one, other) / long(one) / long(other);

@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::force_mistakes::same as same_force;
+use super::is_prime;
 use super::phrase::{Phrase, say};
 use super::symbols::{ANGULAR_ACCELERATION, Symbols};
 use super::turned::{self, Turns};
@@ -1148,11 +1149,17 @@ impl<'s> Case<'s> {
     }
 
     /// The direction that an answer has, if degrees that were read within its room were typed into a calculator in radians: it
-    /// makes 57 times as much of what the reading is off. That many answers have such directions is no chance.
+    /// makes 57 times as much of what the reading is off. That many answers have such directions is no chance; those whose
+    /// direction is right were not typed so.
     fn typed_as_read(&self, observation: &Observation, of: Which, how: InRadians, right: f64) -> Option<f64> {
-        let among = |one: &&Observation| matches!((one.given, one.quantity), (Given::Vector(_), Some(quantity)) if self.includes(of, &quantity));
+        let among = |one: &Observation| matches!((one.given, one.quantity), (Given::Vector(_), Some(quantity)) if self.includes(of, &quantity));
         let (true, Given::Vector([x, y])) = (how.typed, observation.given) else { return None };
-        if self.observations.iter().filter(among).count() < TYPED {
+        let is_off = |index: usize| {
+            let truth = self.truth.get(index).and_then(Option::as_deref);
+            truth.is_some() && self.misses(index, truth)[1] > self.rooms[index].turn
+        };
+        let off = self.observations.iter().enumerate().filter(|(index, one)| among(one) && is_off(*index));
+        if off.count() < TYPED {
             return None;
         }
         let index = self.observations.iter().position(|one| one.name == observation.name)?;
@@ -2008,7 +2015,7 @@ pub(super) fn polygon(
 
 /// A point's name without primes, commas and blanks; in polygons in small letters.
 fn plain_name(name: &str, order: Order) -> String {
-    let plain = name.chars().filter(|c| !matches!(c, '\'' | '′' | '’' | ',' | '_' | ' '));
+    let plain = name.chars().filter(|c| !is_prime(*c) && !matches!(c, ',' | '_' | ' '));
     // Indices as reports print them.
     let plain: String = plain
         .map(|c| match c {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::is_prime;
 use super::judge::Verdict;
 use super::phrase::{Phrase, say};
 use super::report::{Graded, Report};
@@ -157,7 +158,7 @@ fn asked_as(graded: &Graded) -> &str {
 fn column(name: &str) -> String {
     match name.split_once(':') {
         Some((figure, point)) => {
-            let plain = point.chars().filter(|c| !matches!(c, '\'' | '′' | '’' | ',' | '_' | ' '));
+            let plain = point.chars().filter(|c| !is_prime(*c) && !matches!(c, ',' | '_' | ' '));
             format!("{figure}:{}", plain.collect::<String>())
         }
         None => name.to_owned(),

@@ -17,6 +17,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::answers::{Answers, FigurePoints};
 use super::assign::assign;
+use super::is_prime;
 use super::nearest::Nearest;
 use super::svg::{
     FONT_SIZE_PX, corners, first_length, font_size, length, points as corners_of, still, style, to_mm,
@@ -638,7 +639,6 @@ fn plain(written: &str, names: &Names<'_>) -> String {
 
 /// The point that a text names, and in which figure: by the layer, or by its spelling.
 fn named(name: &str, layer: Option<Order>, names: &Names<'_>) -> Option<(String, Order)> {
-    let is_prime = |c: char| matches!(c, '\'' | '′' | '’');
     let bare: String = name.chars().filter(|c| !is_prime(*c) && *c != ',').collect();
     let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
     let is_image = letters == "o" || names.images.contains(letters) || names.images.contains(&bare);

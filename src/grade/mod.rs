@@ -129,6 +129,11 @@ pub enum GradeError {
     Answers(Diagnostic),
 }
 
+/// Whether a sign is the prime of a letter of an acceleration polygon, as keyboards have it.
+fn is_prime(sign: char) -> bool {
+    matches!(sign, '\'' | '′' | '’' | '‘' | '´' | 'ʹ' | '`')
+}
+
 /// Grades the answers to a scene.
 ///
 /// # Errors

@@ -828,10 +828,7 @@ impl Teller<'_> {
         })?;
         let images = &self.construction.diagram(order.diagram())?.images;
         let at = |wanted: Label| images.iter().find(|image| image.label == wanted).map(|image| image.at);
-        let own = images
-            .iter()
-            .map(|image| image.label)
-            .find(|label| matches!(label, Label::Image { point: of, link: None } if *of == point))?;
+        let own = self.sought_image(point, order)?;
         let [first, second] = [false, true].map(|second| Label::Trial { point, second });
         let from = at(first)?;
         let way = |end: Label| at(end).map(|to| [to[0] - from[0], to[1] - from[1]]);
@@ -845,6 +842,13 @@ impl Teller<'_> {
         let told = |end: Label, mm: &Rich| n.image_line(first, end, order.diagram()).up("\u{a0}= ").then(mm);
         let list = n.list(&[told(own, &read[0]), told(second, &read[1])]);
         Some(Rich::fill(n.words.measured_arms, &[("list", list)]))
+    }
+
+    /// The image that two trials lead to.
+    fn sought_image(&self, point: PointId, order: Order) -> Option<Label> {
+        let images = &self.construction.diagram(order.diagram())?.images;
+        let mut labels = images.iter().map(|image| image.label);
+        labels.find(|label| matches!(label, Label::Image { point: of, link: None } if *of == point))
     }
 
     /// How a position is found by trial.
@@ -919,7 +923,17 @@ impl Teller<'_> {
                         if self.shows_trials(*point, *order) =>
                     {
                         let image = |second| n.image(Label::Trial { point: *point, second }, order.diagram());
-                        told(words.try_polygon, ("images", n.list(&[image(false), image(true)])))
+                        let sought = n.image(self.sought_image(*point, *order)?, order.diagram());
+                        let claim = match *closing {
+                            Closing::Slide { slide, .. } => Claim::Parallel(Reference::Guide(slide)),
+                            Closing::Rod { near, far, .. } => {
+                                Claim::Perpendicular(Reference::Points(far, near))
+                            }
+                            _ => return None,
+                        };
+                        let images = n.list(&[image(false), image(true)]);
+                        let shown = [("images", images), ("claim", n.claim(claim)), ("image", sought)];
+                        Rich::fill(words.try_polygon, &[&tried[..], &shown[..]].concat())
                     }
                     Closing::Angle { link, .. } => told(
                         words.try_polygon_rate,

@@ -280,7 +280,10 @@ impl Reading<'_> {
     fn centre(&self, i: LinkId, j: LinkId) -> Read {
         let [i, j] = [i.min(j), i.max(j)].map(|l| self.mechanism.link(l).number);
         match self.sheet.centres.get(&format!("({i}{j})")) {
-            Some(at) => self.in_world(*at),
+            Some(at) => match self.in_world(*at) {
+                Read::Vector(at, last) => Read::Vector(at, last.max(LAST * self.sheet.length_of_centres)),
+                other => other,
+            },
             None => Read::Exempt(format!("I({i},{j}) has no dot on the sheet")),
         }
     }

@@ -15,8 +15,10 @@ pub struct Sheet {
     pub joints: BTreeMap<String, Mm2>,
     /// Directions of guides under their riders, by rider and carrying link: `D/1`.
     pub guides: BTreeMap<String, Mm2>,
-    /// Instant centres that are marked, by name, from the same origin as the joints.
+    /// Instant centres that are marked, by name, from the same origin as the joints and at the scale of these.
     pub centres: BTreeMap<String, Mm2>,
+    /// Metres per millimetre of their figure.
+    pub length_of_centres: f64,
     /// Velocity and acceleration polygon.
     pub velocity: Option<Polygon>,
     pub acceleration: Option<Polygon>,
@@ -108,15 +110,18 @@ impl Sheet {
             };
             guides.insert(name.to_owned(), direction);
         }
-        let mut centres = BTreeMap::new();
-        if let Some((drawing, _)) = of("instant-centres") {
-            // Both panels show the same skeleton: what lies between them is the way from one to the other.
+        let (mut centres, mut length_of_centres) = (BTreeMap::new(), printed_ratio(&caption) / 1000.0);
+        if let Some((drawing, own)) = of("instant-centres") {
+            // Both panels show the same skeleton, each at its scale: from a joint of it on the way is the same.
             let joint = having(drawing, "joint").next().expect("a joint");
-            let by = minus(joints[data(joint, "point")], circle(joint));
+            let (here, there) = (circle(joint), joints[data(joint, "point")]);
+            let larger = printed_ratio(&own) / printed_ratio(&caption);
+            length_of_centres = printed_ratio(&own) / 1000.0;
             for centre in having(drawing, "centre").filter(|n| n.has_attribute("data-centre")) {
                 let at = circle(centre);
                 for name in data(centre, "centre").split(' ') {
-                    centres.insert(name.to_owned(), [at[0] + by[0], at[1] + by[1]]);
+                    let way = minus(at, here).map(|mm| larger * mm);
+                    centres.insert(name.to_owned(), [there[0] + way[0], there[1] + way[1]]);
                 }
             }
         }
@@ -126,6 +131,7 @@ impl Sheet {
             joints,
             guides,
             centres,
+            length_of_centres,
             velocity: polygon("velocity"),
             acceleration: polygon("acceleration"),
         }
