@@ -328,6 +328,25 @@ fn every_sheet_of_this_program_is_read_back_whole() {
     assert!(sheets > 80 && points > 600, "{sheets} sheets with {points} points");
 }
 
+/// A prime is one, whatever key it was typed with.
+#[test]
+fn primes_are_read_as_keyboards_have_them() {
+    let kind = linkgram::catalogue::KINDS.iter().find(|kind| kind.name == "four-bar").unwrap();
+    let scene = scene::read(kind.scene, kind.name).unwrap();
+    let figure = drawing::figure(&scene, &Wish::default()).unwrap();
+    let svg = String::from_utf8(render(&figure, Format::Svg, &Options::default()).unwrap()).unwrap();
+    let read = |svg: &str| {
+        let answers = read_answers(svg, &scene).unwrap();
+        grade(&scene, &answers, &GradeSettings::default()).unwrap().quantities.len()
+    };
+    let all = read(&svg);
+    for prime in ["'", "’", "´", "ʹ", "`"] {
+        let typed = svg.replace('′', prime);
+        assert!(typed != svg, "primes are printed as they are");
+        assert_eq!(read(&typed), all, "{prime}");
+    }
+}
+
 #[test]
 fn a_drawing_that_cannot_be_read_says_why() {
     let scene = slider_crank();

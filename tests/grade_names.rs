@@ -324,3 +324,37 @@ fn typical_mistakes_with_centres_are_named() {
     let (_, wrong, text) = first(own);
     assert_eq!(wrong, 1, "{text}");
 }
+
+/// One direction that is off is no calculator in radians: that spoils all of them. The numbers of the four-bar are a lecturer's
+/// own, from loop equations.
+#[test]
+fn one_wrong_direction_is_no_calculator_in_radians() {
+    let scene = json!({
+        "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [150, -20] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 55 },
+            "3": { "joins": ["A", "B", "C"], "sides": [130, 85, 70], "turn": "ccw" },
+            "4": { "joins": ["O4", "B"], "length": 95 },
+        },
+        "near": { "B": [140, 80] },
+        "input": { "link": 2, "angle": 65, "omega": "12 rad/s cw", "alpha": "30 rad/s^2 ccw" },
+        "find": ["v(B)", "v(C)", "omega(3)", "omega(4)", "a(B)", "a(C)", "alpha(3)", "alpha(4)"],
+    });
+    for off in [5.0, 8.0, 12.0, 20.0, 45.0] {
+        let values = json!({
+            "v(B)": "544.1 mm/s at -0.5 deg",
+            "v(C)": "517.9 mm/s at -20.1 deg",
+            "omega(3)": "2.152 rad/s ccw",
+            "omega(4)": "5.727 rad/s cw",
+            "a(B)": format!("6853 mm/s^2 at {} deg", -153.4 + off),
+            "a(C)": "8464 mm/s^2 at -140.2 deg",
+            "alpha(3)": "27.69 rad/s^2 ccw",
+            "alpha(4)": "64.25 rad/s^2 ccw",
+        });
+        let report = graded(&read(&scene), &json!({ "values": values }));
+        let (kind, wrong) = told(&report);
+        assert_eq!(wrong, ["a(B)"], "{}", report.to_text());
+        assert_ne!(kind, Some(Kind::CalculatorInRadians), "{}", report.to_text());
+    }
+}
