@@ -657,6 +657,8 @@ pub struct OtherPosition {
     pub kind: OtherKind,
     /// Places by [`PointId`], metres from the skeleton's origin.
     pub places: Vec<Option<[f64; 2]>>,
+    /// How links stand there whose own axes were laid, by [`LinkId`], their origins in metres from the skeleton's.
+    pub axes: Vec<Option<Axes>>,
 }
 
 /// In what a position differs from the scene's.
@@ -700,7 +702,7 @@ impl Space {
 /// A link's own axes on the skeleton.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axes {
-    /// Their origin.
+    /// Their origin, in millimetres of paper where nothing else is said.
     pub origin: Mm2,
     /// Unit vector along the x-axis.
     pub x: [f64; 2],

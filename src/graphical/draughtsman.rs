@@ -322,9 +322,14 @@ impl<'m> Draughtsman<'m> {
 
     pub(super) fn finish(mut self, answers: Vec<Reading>) -> (Construction, Tape) {
         self.record.answers = answers;
-        self.record.space.axes = self.poses.iter().map(|pose| pose.as_ref().map(axes)).collect();
+        self.record.space.axes = self.axes();
         let tape = std::mem::take(self.board.tape());
         (self.record, tape)
+    }
+
+    /// How the links stand whose own axes were laid, by [`LinkId`], mm.
+    pub(super) fn axes(&self) -> Vec<Option<Axes>> {
+        self.poses.iter().map(|pose| pose.as_ref().map(axes)).collect()
     }
 
     /// What has been found of the skeleton so far, and what was recorded.

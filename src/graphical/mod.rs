@@ -462,6 +462,25 @@ pub(crate) fn places(
     Ok(drawn.record().space.places.iter().map(|at| at.map(world)).collect())
 }
 
+/// How the links stand whose own axes a plan lays, by link, their origins in metres from the skeleton's; drawn on a board
+/// without a tape.
+///
+/// # Errors
+/// See [`DrawError`].
+pub(crate) fn axes(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+) -> Result<Vec<Option<construction::Axes>>, DrawError> {
+    let scales = planned_scales(mechanism, structure, plan);
+    let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
+    let metres = |axes: construction::Axes| construction::Axes {
+        origin: axes.origin.map(|x| x * scales.length()),
+        ..axes
+    };
+    Ok(drawn.axes().into_iter().map(|axes| axes.map(metres)).collect())
+}
+
 /// World coordinates of the skeleton's origin, m.
 pub(crate) fn origin(mechanism: &Mechanism) -> [f64; 2] {
     position::origin_of_space(mechanism).map(|given| given.value)

@@ -10,7 +10,7 @@ use super::notation::Notation;
 use super::pose::GuideLine;
 use super::rich::Rich;
 use super::skeleton::{Artist, BLOCK, PIN};
-use crate::graphical::construction::{Construction, OtherKind, OtherPosition};
+use crate::graphical::construction::{Axes, Construction, OtherKind, OtherPosition};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId, Rider};
 
@@ -99,7 +99,10 @@ fn place(at: f64, notation: &Notation<'_>) -> Option<Rich> {
 fn moved(construction: &Construction, other: &OtherPosition) -> Construction {
     let mut moved = construction.clone();
     let per_mm = construction.space.metres_per_mm;
-    moved.space.places = other.places.iter().map(|at| at.map(|at| at.map(|x| x / per_mm))).collect();
+    let on_paper = |at: [f64; 2]| at.map(|x| x / per_mm);
+    moved.space.places = other.places.iter().map(|at| at.map(on_paper)).collect();
+    let axes = |axes: Axes| Axes { origin: on_paper(axes.origin), ..axes };
+    moved.space.axes = other.axes.iter().map(|own| own.map(axes)).collect();
     moved
 }
 

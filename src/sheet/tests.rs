@@ -1088,3 +1088,50 @@ fn a_rate_in_another_unit_has_its_line() {
     let printed: f64 = printed.unwrap().0.parse().unwrap();
     assert!((printed - degrees).abs() < 1.0, "{printed} for {degrees}: {sheet:#?}");
 }
+
+/// A swivelling guide of a link with one joint lies along its rod in every position: its stroke and the rod's go through the
+/// fixed joint and through the pin of the crank, which stands where its circle has it.
+#[test]
+fn a_swivelling_guide_follows_its_rod_in_other_positions() {
+    let angles = [20.0_f64, 110.0, 250.0];
+    for (path, place) in [
+        ("src/catalogue/oscillating-cylinder.json", [180.0, 0.0]),
+        ("src/sheet/tests/cylinder.json", [150.0, 20.0]),
+    ] {
+        let mut value: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        value["sheet"]["positions"] = angles.to_vec().into();
+        let (scene, construction) = solved_text(&value.to_string()).unwrap();
+        let figure = single(&scene, &construction, "skeleton", Language::English).unwrap();
+        let others = all_of(&figure, "other-position");
+        assert_eq!(others.len(), angles.len(), "{path}");
+        for (other, angle) in others.into_iter().zip(angles) {
+            let strokes = |link: &str| -> Vec<(kurbo::Point, kurbo::Point)> {
+                let of_link = |node: &Node| match node {
+                    Node::Group(group) if group.data.contains(&("link", link.to_owned())) => {
+                        group.children.iter().find_map(|own| match own {
+                            Node::Mark(Mark { shape: Shape::Line(from, to), .. }) => Some((*from, *to)),
+                            _ => None,
+                        })
+                    }
+                    _ => None,
+                };
+                other.children.iter().filter_map(of_link).collect()
+            };
+            let [(pivot, pin)] = strokes("2")[..] else { panic!("{path}: no crank at {angle}") };
+            let turned = libm::atan2(pivot.y - pin.y, pin.x - pivot.x).to_degrees();
+            assert!(libm::remainder(turned - angle, 360.0).abs() < 1e-6, "{path}: {turned} for {angle}");
+            let per_mm = construction.space.metres_per_mm;
+            let joint = pivot + kurbo::Vec2::new(place[0], -place[1]) * (1e-3 / per_mm);
+            let along = (joint - pin).normalize();
+            for link in ["3", "4"] {
+                let own = strokes(link);
+                assert!(!own.is_empty(), "{path}: link {link} is missing at {angle}");
+                for end in own.iter().flat_map(|(from, to)| [from, to]) {
+                    let off = (*end - joint).cross(along).abs();
+                    assert!(off < 1e-6, "{path}: link {link} at {angle} ends {off} mm beside its line");
+                }
+            }
+        }
+    }
+}

@@ -61,11 +61,11 @@ pub fn other_positions(
     let mover = Mover::new(&standing)?;
     let mut all = Vec::new();
     for &to in inputs {
-        all.push(mover.shown(OtherKind::Input(to), mover.led_to(to)?));
+        all.push(mover.shown(OtherKind::Input(to), mover.led_to(to)?)?);
     }
     if assembly {
         let other = mover.other_assembly().ok_or(PositionError::NoOtherAssembly)?;
-        all.push(mover.shown(OtherKind::Assembly, other));
+        all.push(mover.shown(OtherKind::Assembly, other)?);
     }
     Ok(all)
 }
@@ -77,11 +77,8 @@ pub fn other_positions(
 pub fn moved_to(mechanism: &Mechanism, other: &OtherPosition) -> Result<Mechanism, SweepError> {
     let (mut moved, _, _) = prepare::ready(mechanism, &prepare::Moved::all(mechanism))?;
     moved.asked.clear();
-    if let (OtherKind::Input(to), Some(input)) = (other.kind, moved.inputs.first_mut()) {
-        match input {
-            Input::Angle { angle, .. } | Input::Speed { angle, .. } => *angle = Some(Given::exact(to)),
-            Input::Slide { at, .. } => *at = Some(Given::exact(to)),
-        }
+    if let OtherKind::Input(to) = other.kind {
+        put(&mut moved, to);
     }
     let origin = graphical::origin(mechanism);
     let places = other.places.iter().map(|at| at.map(|at| [origin[0] + at[0], origin[1] + at[1]]));
@@ -131,9 +128,15 @@ impl Mover {
         Ok(mover)
     }
 
-    fn shown(&self, kind: OtherKind, places: Places) -> OtherPosition {
+    fn shown(&self, kind: OtherKind, places: Places) -> Result<OtherPosition, SweepError> {
+        let mut moved = self.mechanism.clone();
+        if let OtherKind::Input(to) = kind {
+            put(&mut moved, to);
+        }
+        hint(&mut moved, &places);
+        let axes = graphical::axes(&moved, &self.structure, &self.plan)?;
         let from_origin = |at: [f64; 2]| [0, 1].map(|axis| at[axis] - self.origin[axis]);
-        OtherPosition { kind, places: places.into_iter().map(|at| at.map(from_origin)).collect() }
+        Ok(OtherPosition { kind, places: places.into_iter().map(|at| at.map(from_origin)).collect(), axes })
     }
 
     fn drawn(&self, mechanism: &Mechanism) -> Result<Places, DrawError> {
@@ -143,10 +146,7 @@ impl Mover {
     /// The places with the input there and the points near these places.
     fn at(&self, input: f64, near: &Places) -> Option<Places> {
         let mut moved = self.mechanism.clone();
-        match moved.inputs.first_mut()? {
-            Input::Angle { angle, .. } | Input::Speed { angle, .. } => *angle = Some(Given::exact(input)),
-            Input::Slide { at, .. } => *at = Some(Given::exact(input)),
-        }
+        put(&mut moved, input);
         hint(&mut moved, near);
         self.drawn(&moved).ok()
     }
@@ -215,6 +215,15 @@ impl Mover {
             let places = self.drawn(&open).ok()?;
             (apart(&places, &self.present) > ONE_ASSEMBLY * self.size).then_some(places)
         })
+    }
+}
+
+/// Puts the first input there.
+fn put(mechanism: &mut Mechanism, to: f64) {
+    match mechanism.inputs.first_mut() {
+        Some(Input::Angle { angle, .. } | Input::Speed { angle, .. }) => *angle = Some(Given::exact(to)),
+        Some(Input::Slide { at, .. }) => *at = Some(Given::exact(to)),
+        None => {}
     }
 }
 
