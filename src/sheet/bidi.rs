@@ -119,8 +119,9 @@ fn way(c: char) -> Way {
     }
 }
 
-/// Brackets around a formula, after a formula, belong to it.
-fn bracket(fragments: &mut [Fragment]) {
+/// Brackets around a formula, after a formula, belong to it. In a line from right to left all others belong to the line, both
+/// of a pair: else what stands on one side only of them would take one of them away.
+fn bracket(fragments: &mut [Fragment], base: Way) {
     let sign = |f: &Fragment| match &f.piece {
         Piece::Run(text, _) if f.way == Way::Neutral => text.chars().next(),
         _ => None,
@@ -133,10 +134,12 @@ fn bracket(fragments: &mut [Fragment]) {
                 let Some(from) = open.pop() else { continue };
                 let before = fragments[..from].iter().rev().find(|f| f.way != Way::Neutral);
                 let inside = fragments[from..at].iter().all(|f| f.way != Way::Right);
-                if inside && before.is_some_and(|f| f.way == Way::Left) {
-                    fragments[from].way = Way::Left;
-                    fragments[at].way = Way::Left;
+                let way = if inside && before.is_some_and(|f| f.way == Way::Left) { Way::Left } else { base };
+                if way == Way::Left && !inside {
+                    continue;
                 }
+                fragments[from].way = way;
+                fragments[at].way = way;
             }
             _ => {}
         }
@@ -145,7 +148,7 @@ fn bracket(fragments: &mut [Fragment]) {
 
 /// What is neutral runs as both its neighbours do where they agree, else as the line.
 fn resolve(fragments: &mut [Fragment], base: Way) {
-    bracket(fragments);
+    bracket(fragments, base);
     let mut before = base;
     let mut from = 0;
     while from < fragments.len() {
@@ -330,6 +333,51 @@ mod tests {
     fn a_foreign_word_in_a_latin_title_leaves_it_as_it_is() {
         let title = Rich::written("Problem (مسألة) 3", Face::Bold);
         assert_eq!(seen(&title), ["Problem (", "مسألة", ") 3"]);
+    }
+
+    /// As the Unicode bidirectional algorithm has it (rule N0): both brackets of a pair run the same way.
+    #[test]
+    fn no_bracket_leaves_its_pair() {
+        assert_eq!(seen(&Rich::upright("وصلة (3) AB نص")), ["نص", "AB", "(", "3", ")", "وصلة"]);
+        assert_eq!(seen(&Rich::upright("(3) AB = 4 cm نص")), ["نص", "AB = 4 cm", "(", "3", ")"]);
+    }
+
+    /// A list of pairs in a sentence is read from left to right on every line of it, its pairs whole or broken only between.
+    #[test]
+    fn pairs_of_a_curve_keep_their_brackets() {
+        let knots = [[0.0, 2.0], [1.0, 3.0], [2.0, 5.0], [3.0, 4.0], [4.0, 1.0]];
+        let exact = |at: [f64; 2]| at.map(crate::given::Given::exact);
+        let curve = crate::mechanism::curve::Curve::Table {
+            knots: knots.map(exact).to_vec(),
+            period: crate::given::Given::exact(5.0),
+        };
+        let unit = crate::mechanism::quantity::Unit { symbol: "MPa".to_owned(), si: 1.0 };
+        let text = Rich::upright("الضغط ").then(&crate::sheet::cycle::of_curve(&curve, &unit)).up("، نص");
+        let lines = text.wrap(4.0, 40.0);
+        assert!(lines.len() > 2);
+        for line in lines {
+            let told = seen(&line).join(" ");
+            let mut depth = 0;
+            for c in told.chars() {
+                depth += match c {
+                    '(' => 1,
+                    ')' => -1,
+                    _ => 0,
+                };
+                assert!((0..=1).contains(&depth), "{told}");
+            }
+            assert_eq!(depth, 0, "{told}");
+        }
+    }
+
+    #[test]
+    fn a_formula_among_arabic_sentences_ends_with_its_stop_on_the_left() {
+        let formula = Rich::italic("F").sub("34").up(" = −(").it("F").up(" + 2) / 3.");
+        let told = seen(&formula.among_right_to_left());
+        assert_eq!(told.first().map(String::as_str), Some("."), "{told:?}");
+        assert_eq!(told[1..].concat(), "F34= −(F+ 2) / 3", "{told:?}");
+        let bare = Rich::italic("F").up(" = 3 N");
+        assert_eq!(bare.among_right_to_left(), bare);
     }
 
     #[test]

@@ -1249,7 +1249,8 @@ fn strips(items: &[Item], width: f64, words: &Words, tight: f64, ink: Ink) -> Ve
                 }
             }
             Item::Sentence(text) => {
-                let lines = text.wrap(TEXT, width - 4.0);
+                let told = words.right_to_left.then(|| text.among_right_to_left());
+                let lines = told.as_ref().unwrap_or(text).wrap(TEXT, width - 4.0);
                 for (k, line) in lines.iter().enumerate() {
                     let mut group = Group::new("sentence");
                     if k == 0 {

@@ -751,7 +751,8 @@ pub(super) fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
             Rich::upright("(").then(&sum).up(")")
         }
     };
-    human::with_unit(&told, &unit.symbol)
+    // Wherever a line breaks, it is read from left to right.
+    human::with_unit(&told, &unit.symbol).island()
 }
 
 /// What is told of a diagram: its areas, its levels, and how far these lie apart.

@@ -141,6 +141,22 @@ impl Rich {
         self
     }
 
+    /// The same as a sentence among others that run from right to left: one that is nothing but a formula ends with its full
+    /// stop on the left, as they do.
+    #[must_use]
+    pub fn among_right_to_left(&self) -> Self {
+        let own = self.clone();
+        if self.is_arabic() || self.left_to_right {
+            return own;
+        }
+        let mut formula = own.clone();
+        let Some(Item { piece: Piece::Run(text, face), .. }) = formula.items.last_mut() else { return own };
+        let (true, face) = (text.ends_with('.'), *face) else { return own };
+        text.pop();
+        let text = formula.island().with_item(".", face, false);
+        Self { right_to_left: true, ..text }
+    }
+
     /// The same with a word after it, and no line breaks between.
     #[must_use]
     pub fn word(self, word: &str) -> Self {
