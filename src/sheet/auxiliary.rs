@@ -371,13 +371,36 @@ impl Plate<'_> {
             let on_paper = [from, to].iter().all(|at| self.window.contains(**at));
             on_paper && from.distance(*to) >= SHORTEST
         });
-        let named = |(quantity, from, to): (Quantity, Point, Point)| {
-            let text = self.notation.symbol(quantity, false);
+        let named = |(text, from, to): (Rich, Point, Point)| {
             let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
             request.leader = true;
             request
         };
-        read.map(named).collect()
+        let read = read.map(|(quantity, from, to)| (self.notation.symbol(quantity, false), from, to));
+        read.chain(self.accelerations_of_masses()).map(named).collect()
+    }
+
+    /// The accelerations of the small polygon of two masses: their names and where they stand on the page.
+    fn accelerations_of_masses(&self) -> Vec<(Rich, Point, Point)> {
+        /// Shorter ones are known by their image points.
+        const SHORTEST: f64 = 5.0;
+        let order = Order::Acceleration;
+        let points = &self.drawing.points;
+        let pole = points.iter().find(|own| own.name == PointName::Image(Label::Pole, order));
+        let (Auxiliary::TwoMasses { .. }, Some(pole)) = (&self.drawing.kind, pole) else { return Vec::new() };
+        let pole = page(pole.at);
+        let symbol = |name: PointName| match name {
+            PointName::Image(Label::Image { point, .. }, _) => {
+                Some(self.notation.symbol(Quantity::Acceleration(point), false))
+            }
+            PointName::ImageOfSecond => {
+                let index = if self.notation.mechanism().point_named(SECOND).is_some() { "*" } else { "" };
+                Some(Rich::italic(self.notation.profile.acceleration).sub(&format!("{SECOND}{index}")))
+            }
+            _ => None,
+        };
+        let arrows = points.iter().filter_map(|own| Some((symbol(own.name)?, pole, page(own.at))));
+        arrows.filter(|(_, from, to)| from.distance(*to) >= SHORTEST).collect()
     }
 }
 
