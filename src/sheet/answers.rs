@@ -1,8 +1,11 @@
 //! What is to be entered for an asked quantity where answers are numbers: in examinations that a machine marks.
 
 use super::notation::Notation;
+use super::rich::Rich;
 use super::words::{Language, Words};
+use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Asked, Nature, Quantity};
+use crate::mechanism::{LinkId, PointId};
 use crate::scene::Scene;
 
 /// One number of an answer.
@@ -41,7 +44,52 @@ pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> S
     let notation = Notation::new(scene, words);
     let symbol = notation.symbol(asked.quantity, false).html();
     let symbol = format!("<bdi dir=\"ltr\">{symbol}</bdi>");
-    prompt_words(words, asked, part).replace("{symbol}", &symbol).replace("{axis}", part.name())
+    let prompt = prompt_words(words, asked, part).replace("{symbol}", &symbol).replace("{axis}", part.name());
+    // A direction stands beside its magnitude.
+    match whose(&notation, asked.quantity).filter(|_| part != Part::Direction) {
+        Some((_, whose)) => format!("{prompt} ({})", whose.html()),
+        None => prompt,
+    }
+}
+
+/// Of which body a force is and on which it acts, on which body a torque: its sense hangs on it. With the whole of which an
+/// asked part is. `None` of what acts on one body alone, which its symbol names, and of what is no force.
+pub(super) fn whose(notation: &Notation<'_>, quantity: Quantity) -> Option<(Force, Rich)> {
+    let Quantity::Force(force, _) = quantity else { return None };
+    let words = notation.words;
+    let link = |link: LinkId| Rich::fill(words.link, &[("links", Rich::upright(notation.number(link)))]);
+    let pin = |point: PointId| Rich::fill(words.pin_named, &[("point", notation.point(point))]);
+    let of_on = |by: Rich, on: Rich| Rich::fill(words.force_of_on, &[("by", by), ("on", on)]);
+    let torque = |on: LinkId| Rich::fill(words.torque_on, &[("on", link(on))]);
+    Some(match force {
+        Force::Along { by, on, .. } | Force::Across { by, on, .. } => {
+            (Force::Vector(Action::Pair { by, on }), of_on(link(by), link(on)))
+        }
+        Force::Vector(Action::Pair { by, on }) => (force, of_on(link(by), link(on))),
+        Force::Vector(Action::OfPin(by, on)) => (force, of_on(pin(by), link(on))),
+        Force::Vector(Action::OnPin(by, on)) => (force, of_on(link(by), pin(on))),
+        Force::Torque(input) => (force, torque(notation.mechanism().driven_link(input)?)),
+        Force::LoadTorque(index) => (force, torque(notation.mechanism().forces.loads.get(index)?.link)),
+        _ => return None,
+    })
+}
+
+/// The same of all that is asked, each once, with its symbol.
+pub(super) fn all_whose(notation: &Notation<'_>) -> Vec<Rich> {
+    let mut told: Vec<Force> = Vec::new();
+    let asked = notation.mechanism().asked.iter();
+    let of_force = asked.filter_map(|asked| whose(notation, asked.quantity));
+    of_force
+        .filter(|(force, _)| {
+            let new = !told.contains(force);
+            told.push(*force);
+            new
+        })
+        .map(|(force, whose)| {
+            let symbol = notation.symbol(Quantity::Force(force, Share::Total), false);
+            symbol.up(": ").then(&whose)
+        })
+        .collect()
 }
 
 /// Whether the sign of a number is a sense of turning.

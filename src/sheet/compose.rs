@@ -421,6 +421,9 @@ fn question_on(
     pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
     pager.rows(&drawn);
     let mut items = required(&notation);
+    if of_exam.is_some() {
+        items.extend(super::answers::all_whose(&notation).into_iter().map(Item::Sentence));
+    }
     items.extend(of_exam.into_iter().flat_map(|marked| of_answers(&notation, marked)));
     let list = column(&items, pager.width(), words);
     pager.block(list);

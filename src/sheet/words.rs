@@ -179,6 +179,10 @@ pub struct Words {
     pub by_drawing: &'static str,
     pub answer_rotation: &'static str,
     pub answer_magnitude: &'static str,
+    /// Of a force, from `{by}` on `{on}`; of a torque.
+    pub force_of_on: &'static str,
+    pub torque_on: &'static str,
+    pub pin_named: &'static str,
     pub answer_direction: &'static str,
     pub answer_coordinate: &'static str,
 
@@ -682,6 +686,9 @@ const ENGLISH: Words = Words {
     by_drawing: "Solve by drawing; the error of a careful hand is allowed for.",
     answer_rotation: "{symbol}, counter-clockwise positive",
     answer_magnitude: "magnitude of {symbol}",
+    force_of_on: "the force of {by} on {on}",
+    torque_on: "the torque on {on}",
+    pin_named: "pin {point}",
     answer_direction: "direction of {symbol}, counter-clockwise from the x-axis",
     answer_coordinate: "{symbol}, coordinate {axis}",
 
@@ -1156,6 +1163,9 @@ const ARABIC: Words = Words {
     by_drawing: "الحل بالرسم، ويُسمح بخطأ الرسم المتقن باليد.",
     answer_rotation: "{symbol}، موجبة بعكس عقارب الساعة",
     answer_magnitude: "قيمة {symbol}",
+    force_of_on: "القوة المؤثرة من {by} في {on}",
+    torque_on: "العزم المؤثر في {on}",
+    pin_named: "المفصل {point}",
     answer_direction: "منحى {symbol}، بعكس عقارب الساعة من المحور x",
     answer_coordinate: "{symbol}، الإحداثي {axis}",
 
@@ -1677,6 +1687,9 @@ const PERSIAN: Words = Words {
     by_drawing: "با رسم حل کنید؛ خطای رسمِ دقیق با دست پذیرفته است.",
     answer_rotation: "{symbol}، پادساعتگرد مثبت",
     answer_magnitude: "مقدار {symbol}",
+    force_of_on: "نیروی {by} بر {on}",
+    torque_on: "گشتاور وارد بر {on}",
+    pin_named: "پین {point}",
     answer_direction: "راستای {symbol}، پادساعتگرد از محور x",
     answer_coordinate: "{symbol}، مختص {axis}",
 
