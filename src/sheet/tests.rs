@@ -1135,3 +1135,20 @@ fn a_swivelling_guide_follows_its_rod_in_other_positions() {
         }
     }
 }
+
+/// Every arrow of the small polygon of two masses that has room for it says which acceleration it is.
+#[test]
+fn the_accelerations_of_two_masses_are_named() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [200, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 180 },
+            "4": { "joins": ["O4", "B"], "length": 120 } }, "near": { "B": [170, 115] },
+        "input": { "link": 2, "angle": 60, "omega": "100 rad/s ccw" },
+        "masses": { "3": { "mass": 2, "inertia": 0.012, "at": [70, 0] } },
+        "find": [{ "name": "Fin(3)", "method": "two-masses", "first": "A" }] }"#;
+    let (scene, construction) = solved_text(text).unwrap();
+    let figure = single(&scene, &construction, "equivalent(3,A)", Language::English).unwrap();
+    let lines = lines(&figure);
+    for name in ["AA", "AG3", "AC"] {
+        assert!(says(&lines, name), "{name}: {lines:?}");
+    }
+}
