@@ -473,7 +473,8 @@ impl<'s> Case<'s> {
                         Order::Velocity => |name: &str| say!("{} (velocity polygon)", name),
                         _ => |name: &str| say!("{} (acceleration polygon)", name),
                     };
-                    (figure, crate::sheet::image_symbol(scene, label, order.diagram()))
+                    let sheet = &self.right.construction;
+                    (figure, crate::sheet::image_symbol(scene, sheet, label, order.diagram()))
                 }
                 (Target::Place(point), _) => {
                     let figure = |name: &str| say!("{} (skeleton)", name);
@@ -489,6 +490,19 @@ impl<'s> Case<'s> {
             let told = |name: &str| of(name).told(self.language);
             let symbol = Symbol { plain: told(&symbol.plain), html: told(&symbol.html) };
             all.push((observation.name.clone(), symbol));
+        }
+        // A point that is not read has the name that was written: no part of it is another point's.
+        for name in self.unread.iter().map(|unread| &unread.name) {
+            let figure: fn(&str) -> Phrase = match name.split_once(':').map(|(figure, _)| figure) {
+                Some("velocity") => |name| say!("{} (velocity polygon)", name),
+                Some("acceleration") => |name| say!("{} (acceleration polygon)", name),
+                Some("skeleton") => |name| say!("{} (skeleton)", name),
+                _ => continue,
+            };
+            let (_, point) = name.split_once(':').unwrap_or_default();
+            let told = |point: &str| figure(point).told(self.language);
+            let symbol = Symbol { plain: told(point), html: told(&crate::markup::escaped(point)) };
+            all.push((name.clone(), symbol));
         }
         let asked = self.scene.mechanism.asked.iter().map(|asked| (asked.name.clone(), asked.quantity));
         let named = self.named.borrow();
@@ -1379,12 +1393,16 @@ impl<'s> Case<'s> {
     /// How many times longer than it should be an answer is, where that is a vector that is read off a polygon and not
     /// calculated.
     pub(super) fn lengthened(&self, index: usize, order: Order) -> Option<f64> {
+        self.lengthened_by(index, |quantity| self.includes(Which::Measured(order), quantity))
+    }
+
+    /// The same of whatever vector is among these.
+    pub(super) fn lengthened_by(&self, index: usize, among: impl Fn(&Quantity) -> bool) -> Option<f64> {
         let observation = &self.observations[index];
         let right = self.right_size(index)?;
-        let measured = |quantity: &Quantity| self.includes(Which::Measured(order), quantity);
         let wanted = matches!(observation.target, Target::Asked(_))
             && !observation.on_paper
-            && observation.quantity.as_ref().is_some_and(measured);
+            && observation.quantity.as_ref().is_some_and(among);
         (wanted && right > self.rooms[index].by).then(|| self.given_size(index) / right)
     }
 

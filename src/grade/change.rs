@@ -178,6 +178,21 @@ impl Change {
         !(self.inputs.is_empty() && self.departures.is_empty() && self.strays.is_empty())
     }
 
+    /// Whether the skeleton is laid off otherwise: then all that is found from it is otherwise.
+    pub(super) fn relays(&self) -> bool {
+        let laid_off = |change: &InputChange| {
+            matches!(
+                change,
+                InputChange::Length { .. }
+                    | InputChange::Arm { .. }
+                    | InputChange::Guide { .. }
+                    | InputChange::Pivot { .. }
+                    | InputChange::Angle { .. }
+            )
+        };
+        self.inputs.iter().any(laid_off)
+    }
+
     /// Whether a polygon is drawn otherwise, or something is read off it or calculated from it otherwise on the way.
     pub(super) fn departs_in(&self, order: Order) -> bool {
         let departs = |departure: &Departure| match departure {

@@ -2,9 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::answers::Given;
 use super::case::polygon;
 use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
+use super::misread::Guideway;
 use super::mistakes::{Hypothesis, List, PLAIN, apart, one_of};
 use super::phrase::{Phrase, say};
 use crate::graphical::construction::{About, Acting, ForceSheet, Label, MomentBalance, Turning};
@@ -14,14 +16,19 @@ use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
 use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Mass, Party, Pointing, Share, Size,
 };
-use crate::mechanism::friction::{FrictionCircle, RubbingPair};
+use crate::mechanism::friction::{FrictionCircle, Resistance, Roughness, RubbingPair};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId, Slide};
+use crate::mechanism::{Input, LinkId, PointId, Rider, Slide};
 
 /// An arm that differs from the distance of the pin by less than this part is that distance.
 const SAME_ARM: f64 = 0.03;
 /// Where somebody takes an arm in centimetres of the drawing for metres, or in its millimetres.
 const UNITS_OF_ARMS: [f64; 3] = [1.0, 100.0, 1000.0];
+
+/// A coefficient of friction that is found by what was handed in is a free number.
+const FOUND: f64 = 1.5;
+/// No coefficient of friction is taken for a larger one.
+const MOST_FRICTION: f64 = 1.0;
 
 /// A force as it stands on one body, with the moments in which it has its part.
 struct Standing<'s> {
@@ -828,10 +835,58 @@ impl List<'_, '_> {
                 let other = Departure::FrictionAngle { slide, factor };
                 found.push((Kind::FrictionMisread, at.clone(), 0.5, vec![other]));
             }
+            self.any_coefficient(slide, &at);
         }
         for (kind, at, price, departures) in found {
             self.add(kind, &at, None, price, Change::drawn(departures));
         }
+    }
+
+    /// The coefficient of friction of a guide of the frame that the force across it tells, as it was handed in.
+    fn any_coefficient(&mut self, slide: usize, at: &Phrase) {
+        let mechanism = &self.case.mechanism;
+        let Some(guide) = Guideway::all(mechanism).into_iter().find(|guide| guide.slide == slide) else {
+            return;
+        };
+        let rubbing = mechanism.forces.friction.slides.iter().find(|rubbing| rubbing.slide == slide);
+        let Some(Resistance::Friction(Roughness::Coefficient(right))) = rubbing.map(|one| one.resistance)
+        else {
+            return;
+        };
+        let block = match mechanism.slides[slide].rider {
+            Rider::Pin { block, .. } => block,
+            Rider::Link { link, .. } => Some(link),
+        };
+        // Along the guide over across it, with a sign: the tangent by which a force leans.
+        let leaning = |[x, y]: [f64; 2]| {
+            let [u, v] = guide.along;
+            (x * u + y * v) / (y * u - x * v)
+        };
+        let told = self.case.observations.iter().enumerate().find_map(|(index, observation)| {
+            let Some(Quantity::Force(Force::Vector(Action::Pair { by, on }), Share::Total)) =
+                observation.quantity
+            else {
+                return None;
+            };
+            let of_guide =
+                [by, on].contains(&LinkId::FRAME) && block.is_some_and(|block| [by, on].contains(&block));
+            let (&[x, y], Given::Vector(own)) = (self.case.truth[index].as_deref()?, observation.given)
+            else {
+                return None;
+            };
+            let factor = leaning(own) / leaning([x, y]);
+            (of_guide && factor.is_finite() && factor > 0.0).then_some(factor)
+        });
+        let Some(factor) = told else { return };
+        let own = factor * right.value;
+        // It is written with few digits; one that is as near as the angle can be measured is the given one.
+        let [own_told, told] = [own, right.value].map(|number| super::text::digits(number, 0.01));
+        if own_told == told || own > MOST_FRICTION {
+            return;
+        }
+        let other = Departure::FrictionAngle { slide, factor };
+        let how = (Kind::FrictionMisread, say!("{} for {}", own_told, told));
+        self.add_so(how, at, None, FOUND, Change::drawn(vec![other]));
     }
 
     // --- the whole -----------------------------------------------------------------------------

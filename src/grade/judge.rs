@@ -332,6 +332,7 @@ impl Judge<'_, '_> {
                     && !self.contradicts(t)
                     && !self.harms(t, &standing)
                     && self.has_a_witness(t, &base)
+                    && !self.comes_too_late(t)
             });
             tried
         };
@@ -472,6 +473,7 @@ impl Judge<'_, '_> {
                         && self.mistake(one).residual <= CLOSE
                         && !self.contradicts(one)
                         && !self.harms(one, standing)
+                        && !self.comes_too_late(one)
                 });
                 all.extend(tried);
             }
@@ -533,10 +535,7 @@ impl Judge<'_, '_> {
     fn contradicts(&self, tried: &Tried) -> bool {
         let at = &tried.hypothesis.at;
         // What is calculated from readings may have been found by another way; by a wrong scale only what is read is harmed.
-        let scaled = matches!(
-            tried.hypothesis.kind,
-            Kind::ScaleWrong | Kind::ScaleForgotten | Kind::ScaleInverted | Kind::ScaleTwice
-        );
+        let scaled = tried.hypothesis.kind.is_of_scale();
         let orders: &[Order] = match () {
             () if scaled && *at == say!("the velocities") => &[Order::Velocity],
             () if scaled && *at == say!("the accelerations") => &[Order::Acceleration],
@@ -607,9 +606,19 @@ impl Judge<'_, '_> {
         standing.iter().any(moved)
     }
 
+    /// Whether the skeleton is said to be laid off otherwise where nothing explains an earlier answer: it would have shown there.
+    fn comes_too_late(&self, tried: &Tried) -> bool {
+        self.unexplained && tried.hypothesis.change.relays()
+    }
+
     /// Whether more than one vector speaks for a scale factor that was found by fitting: another one that was read, or what
     /// is calculated from all of them, to which no way of going on from the one alone leads.
     fn has_a_witness(&self, tried: &Tried, base: &Sketch) -> bool {
+        // Nor does the leaning of one force alone tell another coefficient of friction.
+        let coefficient = tried.hypothesis.kind == Kind::FrictionMisread && tried.hypothesis.how.is_some();
+        if coefficient && self.mistake(tried).explains < 2 {
+            return false;
+        }
         !self.rests_on_one_vector(&tried.hypothesis)
             || self.unknown_by(base, false).is_none_or(|own| tried.cost + UNKNOWN < own.cost)
     }

@@ -270,6 +270,11 @@ impl Kind {
         )
     }
 
+    /// Whether a diagram was read by another scale, or by none.
+    pub(super) fn is_of_scale(self) -> bool {
+        matches!(self, Self::ScaleWrong | Self::ScaleForgotten | Self::ScaleInverted | Self::ScaleTwice)
+    }
+
     /// Its name in a report.
     #[must_use]
     pub fn name(self) -> &'static str {

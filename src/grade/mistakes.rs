@@ -75,8 +75,10 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
         list.found.iter_mut().filter(unseen).for_each(|one| one.price += UNSEEN);
     }
     if let Some(sheet) = case.bodies(drawn) {
-        // Nobody who answered nothing of the motion shows where its polygons went wrong.
+        // Nobody who answered nothing of the motion shows where its polygons went wrong, nor by which scale he read them: any
+        // number is met by a factor somewhere.
         if ![Order::Velocity, Order::Acceleration].into_iter().any(|order| case.answers(order)) {
+            list.found.retain(|one| !(one.kind.is_of_scale() && one.change.redraws()));
             list.found.iter_mut().filter(|one| one.change.redraws()).for_each(|one| one.price += UNSEEN);
         }
         list.forces(&sheet);
@@ -1056,7 +1058,14 @@ impl<'c> List<'c, '_> {
             #[expect(clippy::cast_precision_loss, reason = "answers are few")]
             let factor = factors.iter().sum::<f64>() / factors.len().max(1) as f64;
             let alike = factors.iter().all(|one| (one / factor - 1.0).abs() <= ONE_SCALE);
-            if factors.is_empty() || !alike || (factor - 1.0).abs() <= ONE_SCALE {
+            // By an odd scale every vector of the diagram is drawn or read, one that was calculated as well.
+            let spared = || {
+                (0..self.case.observations.len()).any(|index| {
+                    let known = self.case.lengthened_by(index, |of| Which::Vectors(order).includes(of));
+                    known.is_some_and(|one| (one - 1.0).abs() <= ONE_SCALE / 2.0)
+                })
+            };
+            if factors.is_empty() || !alike || spared() || (factor - 1.0).abs() <= ONE_SCALE {
                 continue;
             }
             let times = |factor: f64| super::text::digits(factor, 0.01);
@@ -1652,7 +1661,8 @@ impl<'c> List<'c, '_> {
             _ => None,
         });
         label.map_or_else(String::new, |label| {
-            crate::sheet::image_symbol(self.case.scene, label, order.diagram()).plain
+            let sheet = &self.case.right.construction;
+            crate::sheet::image_symbol(self.case.scene, sheet, label, order.diagram()).plain
         })
     }
 
@@ -2316,7 +2326,8 @@ impl<'c> List<'c, '_> {
 
     /// "bc read for oc".
     fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> Phrase {
-        let name = |label| crate::sheet::image_symbol(self.case.scene, label, order.diagram()).plain;
+        let sheet = &self.case.right.construction;
+        let name = |label| crate::sheet::image_symbol(self.case.scene, sheet, label, order.diagram()).plain;
         say!("{} read for {}", name(tail) + &name(head), name(vector.tail) + &name(vector.head))
     }
 

@@ -74,6 +74,7 @@ pub use variant::Key;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
+use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::{DiagramKind, Order};
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::{Figure, Language, Own, Spot};
@@ -173,6 +174,8 @@ pub fn grade_with_overlay(
             own.forces.extend(forces);
         }
     }
+    let are_right = (0..judgement.verdicts.len()).filter(|&i| judgement.verdicts[i] == Verdict::Right);
+    own.right_forces = are_right.flat_map(|index| case.force_handed_in(index)).collect();
     // What is right as far as it can be measured stands elsewhere all the same: of two centres interchanged both are shown.
     let off = |index: &usize| {
         let miss = || case.miss(*index, case.truth[*index].as_deref(), case.rooms[*index]);
@@ -205,6 +208,16 @@ pub fn grade_with_overlay(
             Some(crate::sheet::Fault { at, text })
         })
         .collect();
+    // What is wrong may show nowhere in a figure: nobody looks for it there.
+    let is_wrong = judgement.verdicts.contains(&Verdict::Wrong);
+    let nothing = own.vectors.is_empty() && own.places.is_empty() && own.forces.is_empty();
+    if is_wrong
+        && faults.is_empty()
+        && nothing
+        && same_figures(&case.right.construction, &student.construction)
+    {
+        return Ok((report, None));
+    }
     // A polygon of which nothing was answered is not laid under anything.
     let mut right = case.right.construction.clone();
     for order in [Order::Velocity, Order::Acceleration] {
@@ -217,6 +230,17 @@ pub fn grade_with_overlay(
     let left = settings.printed.then(|| report.leaves_of_page());
     let figure = crate::sheet::overlay(scene, &right, drawn, balance, told, left);
     Ok((report, figure))
+}
+
+/// Whether the points of all polygons stand at the same places.
+fn same_figures(right: &Construction, student: &Construction) -> bool {
+    right.diagrams.iter().all(|diagram| {
+        student.diagram(diagram.kind).is_some_and(|own| {
+            let mut points = diagram.images.iter().zip(&own.images);
+            diagram.images.len() == own.images.len()
+                && points.all(|(a, b)| a.label == b.label && a.at == b.at)
+        })
+    })
 }
 
 /// What may be said of a problem before anybody answers it: of every asked quantity what is right, and by how much an

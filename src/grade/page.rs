@@ -247,8 +247,7 @@ impl Report {
                 false => say!("no marks"),
             };
             // Where it stands in the file is the examiner's; the student has its name.
-            let mend = one.why.mend.as_deref().map_or_else(String::new, |mend| format!("; {mend}"));
-            let why = format!("<bdi>{}</bdi>", escaped(&format!("{}{mend}", one.why.what)));
+            let why = format!("<bdi>{}</bdi>", escaped(&one.what_and_mend()));
             let _ = writeln!(
                 page,
                 "<tr class=\"unread\"><td>{}</td><td colspan=\"3\">{}</td><td class=\"n\">{}</td></tr>",

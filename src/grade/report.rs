@@ -69,6 +69,14 @@ pub struct NotRead {
     pub weight: f64,
 }
 
+impl NotRead {
+    /// What is not understood of it and how to mend it, without its place in the file.
+    pub(super) fn what_and_mend(&self) -> String {
+        let mend = self.why.mend.as_deref().map_or_else(String::new, |mend| format!("; {mend}"));
+        format!("{}{mend}", self.why.what)
+    }
+}
+
 /// One graded answer. Numbers are in its unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Graded {

@@ -298,7 +298,8 @@ impl Report {
             line(self.says(&say!("not answered: {}", self.names_of_missing())));
         }
         for one in &self.not_read {
-            let (name, why) = (self.symbols.plain(&one.name), one.why.to_string());
+            // Where it stands in the file is the examiner's.
+            let (name, why) = (self.symbols.plain(&one.name), one.what_and_mend());
             let told = match one.weight > 0.0 {
                 true => say!("not read, no marks: {}: {}", name, why),
                 false => say!("not read: {}: {}", name, why),

@@ -40,6 +40,18 @@ pub fn told_apart(construction: &Construction, notation: &Notation<'_>) -> Const
     all
 }
 
+/// A point of a polygon under the name that tells it apart from all others; as it is, where the polygon has no such point.
+pub(super) fn printed(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    (kind, label): (DiagramKind, Label),
+) -> Label {
+    let all = told_apart(construction, notation);
+    let (Some(old), Some(new)) = (construction.diagram(kind), all.diagram(kind)) else { return label };
+    let mut pairs = old.images.iter().zip(&new.images).rev();
+    pairs.find(|(old, _)| old.label == label).map_or(label, |(_, new)| new.label)
+}
+
 /// The names of a vector's ends before and after.
 fn ends(old: &Diagram, new: &Diagram, vector: usize) -> Vec<(Label, Label)> {
     let (Some(old), Some(new)) = (old.vectors.get(vector), new.vectors.get(vector)) else {

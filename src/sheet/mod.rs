@@ -143,14 +143,17 @@ pub fn symbol(scene: &crate::scene::Scene, quantity: crate::mechanism::quantity:
     notation::Notation::new(scene, Language::English.words()).symbol(quantity, false).into()
 }
 
-/// The letter of a polygon's point: o, b, a₄, b′₁.
+/// The letter of a polygon's point as the sheet of this construction prints it: o, b, a₄, b′₁.
 #[must_use]
 pub fn image_symbol(
     scene: &crate::scene::Scene,
+    construction: &crate::graphical::construction::Construction,
     label: crate::graphical::construction::Label,
     kind: crate::mechanism::quantity::DiagramKind,
 ) -> Symbol {
-    notation::Notation::new(scene, Language::English.words()).image(label, kind).into()
+    let notation = notation::Notation::new(scene, Language::English.words());
+    let label = feet::printed(construction, &notation, (kind, label));
+    notation.image(label, kind).into()
 }
 
 /// The name of a polygon's point as plain characters: o, b, a4, b'1.

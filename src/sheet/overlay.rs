@@ -3,7 +3,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::compose::{cut, localised};
-use super::feet::told_apart;
+use super::feet::{printed, told_apart};
 use super::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape, Tone};
 use super::force_names;
 use super::ink::{FINE, HEAD, SMALL, THIN, head, page};
@@ -13,7 +13,9 @@ use super::polygon;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows};
 use super::words::{Language, Words};
-use crate::graphical::construction::{Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind};
+use crate::graphical::construction::{
+    Acting, Construction, Diagram, ForceSheet, FreeBody, Label, Mm2, VectorKind,
+};
 use crate::mechanism::force::{Action, Party};
 use crate::mechanism::quantity::{DiagramKind, Quantity};
 use crate::mechanism::{Mechanism, PointId};
@@ -69,6 +71,8 @@ pub struct Own {
     pub places: Vec<(Quantity, Mm2, Mm2)>,
     /// Forces of the balance.
     pub forces: Vec<OwnForce>,
+    /// Those that are right.
+    pub right_forces: Vec<OwnForce>,
 }
 
 /// A force on a body as a student has it.
@@ -130,7 +134,9 @@ pub fn overlay(
     let words = language.words();
     let notation = Notation::new(scene, words);
     let mut own = own.clone();
-    own.vectors.iter_mut().for_each(|vector| vector.head = foot_told_apart(vector, student, &notation));
+    for vector in &mut own.vectors {
+        vector.head = foot_told_apart(vector, (right, student), &notation);
+    }
     let [right, student] = [right, student].map(|one| told_apart(one, &notation));
     let drawings = Drawings { right: &right, student: &student, own: &own, faults, notation };
     let blocks = |room: Option<(f64, f64)>| drawings.blocks(scene, balance, room);
@@ -234,7 +240,7 @@ impl Drawings<'_> {
                 let spots: Vec<(Spot, Option<usize>)> =
                     here.iter().map(|(number, fault)| (fault.at, self.numbered(*number))).collect();
                 let draw = |times: f64| {
-                    let own = (index, &self.own.forces[..]);
+                    let own = (index, self.own);
                     let panel = force_polygon(body, own, &spots, &self.notation, times);
                     entitled(panel, of_body(body, &self.notation))
                 };
@@ -352,7 +358,11 @@ type Arrow = (Mm2, Mm2, Label, bool);
 type Circles = Vec<(Mm2, Option<usize>)>;
 
 /// The name of a vector's head as it is where feet that would share one are told apart.
-fn foot_told_apart(vector: &HandedIn, student: &Construction, notation: &Notation<'_>) -> Label {
+fn foot_told_apart(
+    vector: &HandedIn,
+    (right, student): (&Construction, &Construction),
+    notation: &Notation<'_>,
+) -> Label {
     if !matches!(vector.head, Label::Foot { .. }) {
         return vector.head;
     }
@@ -365,7 +375,7 @@ fn foot_told_apart(vector: &HandedIn, student: &Construction, notation: &Notatio
             .diagram(vector.diagram)
             .and_then(|drawn| Some(drawn.vectors.get(index)?.head))
     });
-    told.unwrap_or(vector.head)
+    told.unwrap_or_else(|| printed(right, notation, (vector.diagram, vector.head)))
 }
 
 /// A panel as large as it is, or so much smaller that it fits its room: its names are no smaller for that.
@@ -555,11 +565,41 @@ fn draw_places(
     }
 }
 
+/// Whether a force is found by the polygon, not laid off in it.
+fn is_found(action: Action) -> bool {
+    !matches!(
+        action,
+        Action::Inertia(_)
+            | Action::Centrifugal(_)
+            | Action::Load(_)
+            | Action::Weight(_)
+            | Action::Spring { .. }
+            | Action::Drag(_)
+    )
+}
+
+/// The forces on a body as a student has them, N: as he handed them in, else what is laid off. One that is found and was not
+/// handed in closes his polygon where it is the only one; of several nobody knows his.
+fn theirs(body: &FreeBody, (index, own): (usize, &Own)) -> Vec<Option<[f64; 2]>> {
+    let of = |action: Action| {
+        let mut all = own.forces.iter().rev().chain(&own.right_forces);
+        all.find(|own| (own.body, own.action) == (index, action)).map(|own| own.force)
+    };
+    let known = |acting: &Acting| of(acting.action).or((!is_found(acting.action)).then_some(acting.force));
+    let mut forces: Vec<Option<[f64; 2]>> = body.acting.iter().map(known).collect();
+    let open: Vec<usize> = (0..forces.len()).filter(|&place| forces[place].is_none()).collect();
+    if let &[one] = &open[..] {
+        let rest = [0, 1].map(|axis| -forces.iter().flatten().map(|force| force[axis]).sum::<f64>());
+        forces[one] = Some(rest);
+    }
+    forces
+}
+
 /// The forces on a body one after the other, as they close, and over them the student's polygon, from the first of his forces
-/// that is not right: tip to tail as well, with the right forces where he has no other.
+/// that is not right: tip to tail as well, without those of which he tells nothing.
 fn force_polygon(
     body: &FreeBody,
-    (index, own): (usize, &[OwnForce]),
+    (index, own): (usize, &Own),
     faults: &[(Spot, Option<usize>)],
     notation: &Notation<'_>,
     times: f64,
@@ -595,17 +635,22 @@ fn force_polygon(
     let after = |from: Mm2, force: [f64; 2]| [0, 1].map(|axis| from[axis] + scale * force[axis]);
     let (mut from, mut own_from) = (Mm2::default(), Mm2::default());
     let mut circles: Vec<(Point, Option<usize>)> = Vec::new();
-    for acting in &body.acting {
+    for (acting, theirs) in body.acting.iter().zip(theirs(body, (index, own))) {
         let to = after(from, acting.force);
         let letter = force_names::acting(notation, acting.action);
         let of = |own: &&OwnForce| (own.body, own.action) == (index, acting.action);
-        let handed_in = own.iter().rposition(|own| of(&own));
-        let force = handed_in.map_or(acting.force, |place| own[place].force);
+        let handed_in = own.forces.iter().rposition(|own| of(&own));
         if long(acting.force) > 0.0 {
             arrow(&mut panel, page(from), page(to), &letter, Dash::Solid, "force");
         }
-        let apart = libm::hypot(own_from[0] - from[0], own_from[1] - from[1]) > SAME;
+        let between = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]);
+        let Some(force) = theirs else {
+            own_from = if between(own_from, from) > SAME { own_from } else { to };
+            from = to;
+            continue;
+        };
         let end = after(own_from, force);
+        let apart = between(own_from, from) > SAME || between(end, to) > SAME;
         // What would leave the sheet is drawn as far as it goes, and nothing goes on from there.
         let reach = scale * long(force);
         let short = (FARTHEST * largest_drawn / reach).min(1.0);
