@@ -981,7 +981,7 @@ fn a_transfer_by_centres_derives_what_is_asked() {
     let (scene, construction) = in_repository("examples/centres/whitworth.json");
     let figure = solution(&scene, &construction, Language::English);
     let sheet = lines(&figure);
-    for line in ["ω2 = 2π × 30 / 60 = 3.14 rad/s ccw", "VA4 = ω4 (14–A)", "As vectors VA2A4 = VA2 − VA4"]
+    for line in ["ω2 = 2π × 30 / 60 = 3.142 rad/s ccw", "VA4 = ω4 (14–A)", "As vectors VA2A4 = VA2 − VA4"]
     {
         assert!(says(&sheet, line), "{line}: {sheet:#?}");
     }
