@@ -450,7 +450,7 @@ fn the_table_says_of_the_lever_what_its_line_says() {
     let all = told(&figure);
     let line = all.iter().find(|line| line.contains("−ΣM / ω_2")).unwrap_or_else(|| panic!("{all:?}"));
     let (value, ..) = line.rsplit_once("= −").and_then(|(_, value)| number(value)).unwrap();
-    let rows = panels(&figure, "results").into_iter().flat_map(|table| rows_of(table));
+    let rows = panels(&figure, "results").into_iter().flat_map(rows_of);
     let rows: Vec<Vec<String>> =
         rows.map(|row| row.into_iter().map(|text| plain(&characters(text))).collect()).collect();
     let row = rows.iter().find(|row| row[0].contains("lever")).unwrap_or_else(|| panic!("{rows:?}"));
