@@ -305,7 +305,7 @@ impl Choices<'_> {
             let own =
                 if size < enough { SIZE * (1.0 - enough / size) } else { LARGER * libm::log(size / enough) };
             let lack = self.nameless(i, scale) + usize::from(size < SMALL * enough);
-            // The figures of centres and of velocities carried over have the scale of the skeleton.
+            // The figures of centres and of velocities carried over grow with the skeleton, unless they need more of the plane.
             let figures = if i == 0 && self.others.circle.is_some() { 2.0 } else { 1.0 };
             let crowding = self.crowding(i, scale) + if i == 0 { self.over_the_edge(scale) } else { 0 };
             figures * own - LACK * lack as f64 - CROWDING * crowding as f64
