@@ -2042,10 +2042,8 @@ impl<'c> List<'c, '_> {
                     let backwards = Departure::Backwards { order, point, from };
                     self.add(Kind::RelativeReversed, &at, None, PLAIN, Change::drawn(vec![backwards]));
                     // Nothing follows from where the point went.
-                    let images = polygon(self.construction, order).map_or(&[][..], |p| &p.images);
-                    let image = images
-                        .iter()
-                        .find(|image| matches!(image.label, Label::Image { point, .. } if point == from));
+                    let image = polygon(self.construction, order)
+                        .and_then(|polygon| polygon.image_of(from, &self.case.mechanism));
                     let of = match order {
                         Order::Acceleration => Quantity::Acceleration(point),
                         _ => Quantity::Velocity(point),

@@ -1116,6 +1116,12 @@ impl Diagram {
     pub fn rests(&self) -> bool {
         self.vectors.iter().all(|vector| vector.from == vector.to)
     }
+
+    /// The image of a point itself: not that of the point of another link under it.
+    #[must_use]
+    pub fn image_of(&self, point: PointId, mechanism: &Mechanism) -> Option<Image> {
+        self.images.iter().find(|image| image.label.is_of(point, mechanism)).copied()
+    }
 }
 
 /// Name of a point of a polygon.
@@ -1147,6 +1153,15 @@ pub enum Label {
         /// Whether it is the second of them.
         second: bool,
     },
+}
+
+impl Label {
+    /// Whether it names the image of this point itself: not that of the point of another link under it.
+    #[must_use]
+    pub fn is_of(self, point: PointId, mechanism: &Mechanism) -> bool {
+        matches!(self, Self::Image { point: own, link }
+            if own == point && link.is_none_or(|link| mechanism.link(link).points.contains(&point)))
+    }
 }
 
 /// A labelled point of a polygon.

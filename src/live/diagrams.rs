@@ -10,7 +10,7 @@ use super::LiveError;
 use super::moves::{Binder, Frame, Move, Moving, PAST, Place, Seen, bind, marks, shape_through};
 use super::said::{Paper, Printed, TAKEN};
 use crate::graphical::Scales;
-use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
+use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Image, Label};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::{Input, LinkId, Mechanism, Place as MechanismPlace, PointId, Rider};
 use crate::plan::Extent;
@@ -1570,9 +1570,13 @@ fn polygon_ink(
             panel.ink.group(own);
             continue;
         };
-        let image = |point: PointId| {
-            let label = |label: &Label| matches!(label, Label::Image { point: p, .. } if *p == point);
-            labels.iter().position(label).or_else(|| place(Label::Pole))
+        // A link's own point, not that of another link under it: the one where the corner stands.
+        let image = |&(point, at): &(PointId, [f64; 2])| {
+            let own = |image: &&Image| {
+                matches!(image.label, Label::Image { point: of, .. } if of == point) && image.at == at
+            };
+            let label = polygon.images.iter().find(own).map_or(Label::Pole, |image| image.label);
+            place(label)
         };
         let by = match kind {
             'v' => {
@@ -1581,7 +1585,7 @@ fn polygon_ink(
             'r' => ends_of_line(number, polygons, labels).map(Move::Ray),
             'p' => polygon.images.get(number).and_then(|i| Some(Move::Whole(Frame::At(place(i.label)?)))),
             'l' => polygon.link_images.get(number).and_then(|image_of| {
-                let corners = image_of.corners.iter().map(|(point, _)| image(*point));
+                let corners = image_of.corners.iter().map(image);
                 Some(Move::Outline(corners.collect::<Option<Vec<_>>>()?))
             }),
             _ => None,

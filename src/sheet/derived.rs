@@ -131,21 +131,22 @@ pub(super) fn known_rate(
 }
 
 /// The images between which a vector lies.
-fn ends_of(quantity: Quantity, polygon: &Diagram) -> Option<[Label; 2]> {
+fn ends_of(quantity: Quantity, polygon: &Diagram, mechanism: &Mechanism) -> Option<[Label; 2]> {
     if let Some(vector) = polygon.vectors.iter().find(|vector| vector.quantity == quantity) {
         return Some([vector.tail, vector.head]);
     }
-    let image = |point: PointId, link: Option<LinkId>| {
-        let of = |label: &Label| matches!(label, Label::Image { point: p, link: l } if *p == point && (link.is_none() || *l == link));
+    let image = |point: PointId| polygon.image_of(point, mechanism).map(|image| image.label);
+    let under = |point: PointId, link: LinkId| {
+        let of = |label: &Label| *label == Label::Image { point, link: Some(link) };
         polygon.images.iter().map(|image| image.label).find(of)
     };
     match quantity {
-        Quantity::Velocity(p) | Quantity::Acceleration(p) => Some([Label::Pole, image(p, None)?]),
+        Quantity::Velocity(p) | Quantity::Acceleration(p) => Some([Label::Pole, image(p)?]),
         Quantity::CoincidentVelocity(p, l) | Quantity::CoincidentAcceleration(p, l) => {
-            Some([Label::Pole, image(p, Some(l))?])
+            Some([Label::Pole, under(p, l)?])
         }
         Quantity::RelativeVelocity(p, q) | Quantity::RelativeAcceleration(p, q) => {
-            Some([image(q, None)?, image(p, None)?])
+            Some([image(q)?, image(p)?])
         }
         _ => None,
     }
@@ -353,8 +354,8 @@ impl Teller<'_> {
         let mut all = Vec::new();
         let symbol = n.symbol(asked.quantity, false);
         if !self.figures.borrow().has(key)
-            && let Some(ends) =
-                ends_of(asked.quantity, polygon).or_else(|| ends_of(absolute(asked.quantity, n), polygon))
+            && let Some(ends) = ends_of(asked.quantity, polygon, n.mechanism())
+                .or_else(|| ends_of(absolute(asked.quantity, n), polygon, n.mechanism()))
         {
             let mm = size / polygon.si_per_mm;
             let on_paper = (mm, is_a_point(mm));
@@ -449,10 +450,7 @@ impl Teller<'_> {
         let n = self.n;
         let vector = |kind: DiagramKind| {
             let diagram = self.construction.diagram(kind)?;
-            let own = diagram
-                .images
-                .iter()
-                .find(|image| matches!(image.label, Label::Image { point: own, .. } if own == point))?;
+            let own = diagram.image_of(point, n.mechanism())?;
             Some((own.at.map(|x| x * diagram.si_per_mm), diagram.si_per_mm))
         };
         let velocity = vector(DiagramKind::Velocity);

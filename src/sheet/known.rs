@@ -142,10 +142,8 @@ impl<'a> Known<'a> {
         if let Some(vector) = drawn {
             return Some([vector.tail, vector.head]);
         }
-        let image = |point: PointId| {
-            let mut own = polygon.images.iter().map(|image| image.label);
-            own.find(|label| matches!(label, Label::Image { point: p, .. } if *p == point))
-        };
+        let image =
+            |point: PointId| polygon.image_of(point, self.notation.mechanism()).map(|image| image.label);
         match quantity {
             Quantity::Velocity(p) => Some([Label::Pole, image(p)?]),
             Quantity::RelativeVelocity(p, q) => Some([image(q)?, image(p)?]),

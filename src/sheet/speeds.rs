@@ -2,9 +2,7 @@
 
 use super::notation::Notation;
 use super::printed::absolute;
-use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, Label, Reference, Vector, VectorKind,
-};
+use crate::graphical::construction::{Act, Calculation, Claim, Construction, Reference, Vector, VectorKind};
 use crate::graphical::is_a_point;
 use crate::mechanism::PointId;
 use crate::mechanism::quantity::{DiagramKind, Quantity};
@@ -33,10 +31,7 @@ pub fn with_speeds_read(mut construction: Construction, notation: &Notation<'_>)
         if polygon.vectors.iter().any(|vector| one(vector.quantity)) {
             continue;
         }
-        let image = |of: PointId| {
-            let own = |label: Label| matches!(label, Label::Image { point, .. } if point == of);
-            polygon.images.iter().find(|image| own(image.label)).copied()
-        };
+        let image = |of: PointId| polygon.image_of(of, notation.mechanism());
         let (Some(tail), Some(head)) = (image(base), image(point)) else { continue };
         let found = polygon.vectors.iter().filter(|v| [v.head, v.tail].contains(&head.label)).map(|v| v.step);
         let (from, to) = (tail.at, head.at);

@@ -748,11 +748,7 @@ impl Teller<'_> {
         if self.figures.borrow().has(Key::Of(quantity)) {
             return None;
         }
-        let image = polygon
-            .images
-            .iter()
-            .map(|image| image.label)
-            .find(|label| matches!(label, Label::Image { point, .. } if *point == own.centre))?;
+        let image = polygon.image_of(own.centre, self.n.mechanism())?.label;
         let mm = own.acceleration / polygon.si_per_mm;
         let name = self.n.symbol(quantity, false);
         let told = (&mut *self.figures.borrow_mut(), Key::Of(quantity));

@@ -675,8 +675,7 @@ impl Teller<'_> {
             return if told { whole() } else { parts.into_iter().map(|(_, part)| part).collect() };
         }
         let Some(polygon) = self.polygon() else { return whole() };
-        let own = |label: Label| matches!(label, Label::Image { point, .. } if point == base);
-        let Some(image) = polygon.images.iter().find(|image| own(image.label)) else { return whole() };
+        let Some(image) = polygon.image_of(base, self.notation.mechanism()) else { return whole() };
         let quantity = match order {
             Order::Acceleration => Quantity::Acceleration(base),
             _ => Quantity::Velocity(base),

@@ -10,6 +10,7 @@ mod forces;
 mod reader;
 use crate::{sheets, statements};
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use linkgram::mechanism::quantity::{Answer, Method, Order, Quantity};
@@ -17,7 +18,7 @@ use linkgram::mechanism::{Form, LinkId, Mechanism, Path, PointId, Rider, Roll};
 use linkgram::plan::transmission_points;
 use linkgram::scene::Scene;
 use linkgram::solve::Solved;
-use reader::{Claim, Mm2, Polygon, Sheet, minus};
+use reader::{Claim, Mm2, Polygon, Sheet, Vector, minus};
 
 /// Both ends of a stroke are written to 6 decimals of a millimetre: each coordinate of their difference
 /// errs by at most this.
@@ -473,6 +474,114 @@ fn the_sheet_gives_back_every_asked_quantity() {
     }
     println!("{recovered} quantities recovered, {exempt} exempt");
     assert!(recovered > 200, "{recovered}");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Points of other links stand under a pin here, and a part against the pin is drawn that nobody asked: it begins in the
+/// pin's own image.
+const UNDER_A_PIN: [&str; 3] = [
+    r#"{
+      "units": { "length": "mm" },
+      "fixed": { "O2": [0, 0], "O4": [0, -100] },
+      "placed": { "A": [30, 40], "P": [50, 10], "B": [60, 180] },
+      "links": { "2": { "joins": ["O2", "A", "P"] }, "4": { "joins": ["O4", "B"] } },
+      "slides": [ { "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "B" } } ],
+      "input": { "link": 4, "omega": 5 },
+      "find": ["a(P/A)", "alpha(4)"]
+    }"#,
+    r#"{
+      "units": { "length": "mm" },
+      "fixed": { "O2": [0, 0], "O4": [100, 0] },
+      "placed": { "A": [20, 40], "B": [100, 70], "T": [-30, 60], "G": [40, 110], "C": [-60, -20] },
+      "links": { "2": { "joins": ["O2", "A", "C"] }, "3": { "joins": ["A", "B"] }, "4": { "joins": ["O4", "B"] },
+                 "5": { "joins": ["B", "T", "G"] } },
+      "slides": [ { "pin": "T", "on": { "link": 2, "through": [-30, 60], "angle": 20 } } ],
+      "input": { "link": 2, "omega": 10 },
+      "find": ["a(G)", "alpha(5)"]
+    }"#,
+    r#"{
+      "units": { "length": "mm" },
+      "fixed": { "J": [0, 0], "Y": [124.3, 24.5] },
+      "near": { "B": [-50, 24], "D": [211, 25] },
+      "links": { "2": { "joins": ["J", "B"], "length": 54.5 }, "3": { "joins": ["B", "D"], "length": 261 } },
+      "slides": [ { "pin": "Y", "block": 4, "on": { "link": 3, "through": "B", "toward": "D" } } ],
+      "input": { "link": 2, "angle": 155, "omega": -18 },
+      "find": ["v(D)", "omega(3)", "a(D)"]
+    }"#,
+];
+
+/// By its name every quantity that a vector of a polygon may stand for.
+fn by_name(mechanism: &Mechanism) -> BTreeMap<String, Quantity> {
+    let points: Vec<PointId> = (0..mechanism.points.len()).map(PointId).collect();
+    let links: Vec<LinkId> = (0..mechanism.links.len()).map(LinkId).collect();
+    let own = points.iter().flat_map(|&b| {
+        [Quantity::Velocity(b), Quantity::Acceleration(b), Quantity::Normal(b), Quantity::Tangential(b)]
+    });
+    let relative = points.iter().flat_map(|&b| points.iter().map(move |&a| (b, a))).flat_map(|(b, a)| {
+        [
+            Quantity::RelativeVelocity(b, a),
+            Quantity::RelativeAcceleration(b, a),
+            Quantity::RelativeNormal(b, a),
+            Quantity::RelativeTangential(b, a),
+        ]
+    });
+    let under = points.iter().flat_map(|&b| links.iter().map(move |&l| (b, l))).flat_map(|(b, l)| {
+        [
+            Quantity::CoincidentVelocity(b, l),
+            Quantity::CoincidentAcceleration(b, l),
+            Quantity::CoincidentNormal(b, l),
+            Quantity::CoincidentTangential(b, l),
+            Quantity::Slip(b, l),
+            Quantity::SlipAcceleration(b, l),
+            Quantity::SlipNormal(b, l),
+            Quantity::SlipTangential(b, l),
+            Quantity::Coriolis(b, l),
+        ]
+    });
+    own.chain(relative).chain(under).map(|quantity| (quantity.name(mechanism), quantity)).collect()
+}
+
+/// Whether or not anybody asked for it, a vector is what the other solver makes of its name.
+#[test]
+fn every_vector_is_what_it_is_called() {
+    let texts = UNDER_A_PIN.into_iter().enumerate();
+    let under: Vec<Case> = texts
+        .map(|(number, text)| {
+            let name = format!("under a pin {number}");
+            let (scene, solved, svg) = sheets::draw_text(&name, text);
+            Case { name, scene, solved, svg }
+        })
+        .collect();
+    let mut failures = Vec::new();
+    let (mut compared, mut untold) = (0, 0);
+    for Case { name: case, scene, svg, .. } in under.iter().chain(cases()).chain(random()) {
+        let sheet = Sheet::read(svg);
+        let named = by_name(&scene.mechanism);
+        let state = linkgram::solve::solve_analytically(scene).unwrap();
+        for polygon in [&sheet.velocity, &sheet.acceleration].into_iter().flatten() {
+            let longest = polygon.vectors.iter().filter_map(Vector::along).map(|[x, y]| libm::hypot(x, y));
+            let longest = longest.fold(0.0, f64::max) * polygon.scale;
+            for vector in &polygon.vectors {
+                let (Some(quantity), Some(along)) = (named.get(&vector.quantity), vector.along()) else {
+                    untold += 1;
+                    continue;
+                };
+                let Answer::Vector { value, bound } = state.answer(quantity) else {
+                    untold += 1;
+                    continue;
+                };
+                compared += 1;
+                // Parts of a sum may be far larger than the vector: their last digits are its own.
+                let room = bound + 2.0 * LAST * polygon.scale + 1e-9 * longest;
+                let off = (0..2).map(|k| (along[k] * polygon.scale - value[k]).abs()).fold(0.0, f64::max);
+                if off > room || off.is_nan() {
+                    failures.push(format!("{case}: {} is {off:e} off {value:?}", vector.quantity));
+                }
+            }
+        }
+    }
+    println!("{compared} vectors compared, {untold} without a name of their own");
+    assert!(compared > 400 && untold < compared / 4, "{compared}, {untold}");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
