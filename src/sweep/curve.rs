@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use kurbo::{BezPath, CurveFitSample, ParamCurveFit, Point, Vec2, fit_to_bezpath};
+use kurbo::{BezPath, CurveFitSample, ParamCurveFit, PathSeg, Point, Vec2, fit_to_bezpath};
 
 use super::{Node, Stretch, Sweep, course, ranges};
 use crate::board::{Dual, Workspace};
@@ -145,7 +145,8 @@ impl Table {
             still.line_to(place(LOOKS));
             return still;
         }
-        fit_to_bezpath(&course, accuracy)
+        let fitted = fit_to_bezpath(&course, accuracy);
+        if has_spikes(&fitted, accuracy) { course.in_strokes() } else { fitted }
     }
 
     /// The same in short straight strokes, broken where it leaps: forces turn round with the motion that they resist, and
@@ -154,6 +155,20 @@ impl Table {
     pub fn strokes(&self, columns: &[usize], range: [f64; 2], track: &Track<'_>) -> BezPath {
         Course { table: self, columns, range, track, last: RefCell::new(Point::ZERO) }.in_strokes()
     }
+}
+
+/// Whether a fitted curve has handles far longer than the piece that they bend: beside a corner that is not seen such a piece
+/// keeps within the tolerance where it is looked at, and shoots out between.
+fn has_spikes(path: &BezPath, accuracy: f64) -> bool {
+    /// A half turn of a circle has handles of two thirds of its chord.
+    const LONGEST: f64 = 1.5;
+    path.segments().any(|piece| match piece {
+        PathSeg::Cubic(cubic) => {
+            let handle = cubic.p0.distance(cubic.p1).max(cubic.p2.distance(cubic.p3));
+            handle > LONGEST * cubic.p0.distance(cubic.p3) + 8.0 * accuracy
+        }
+        PathSeg::Line(_) | PathSeg::Quad(_) => false,
+    })
 }
 
 fn input_at([from, to]: [f64; 2], t: f64) -> f64 {
@@ -299,9 +314,10 @@ impl ParamCurveFit for Course<'_> {
         // The range may begin at a corner that was found before.
         let mut last = self.at(range.start + BESIDE).1;
         for i in 1..=LOOKS {
-            let t = range.start + step * f64::from(i);
+            // Nor is a corner at which it ends one of its own.
+            let t = (range.start + step * f64::from(i)).min(range.end - BESIDE);
             let now = self.at(t).1;
-            if last.dot(now) < CORNER * last.hypot() * now.hypot() && i < LOOKS {
+            if last.dot(now) < CORNER * last.hypot() * now.hypot() {
                 // Halved down to the corner itself, or a hook would stick out of the curve.
                 let (mut low, mut high) = (t - step, t);
                 for _ in 0..HALVINGS {
