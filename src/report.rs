@@ -1,12 +1,12 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
 use crate::graphical::construction::{Construction, Stiffness};
-use crate::graphical::{DrawError, Missing, Parting, Unplaced};
+use crate::graphical::{DrawError, Missing, Parting, Round, Unplaced};
 use crate::mechanism::force::{Heaviness, Sought, SpringKind};
 use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
-use crate::mechanism::{Input, Mechanism, Path, Place, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, Path, Place, PointId, Rider};
 pub(crate) use crate::scene::units::short;
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
@@ -294,6 +294,25 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
             "join their centres by a link, or take an input or a pair away: then the contact holds them"
                 .to_owned(),
         ),
+        DrawError::TurnedRound { slide, how } => {
+            let pair = scene.mechanism.slides[*slide];
+            let number = |link: LinkId| scene.mechanism.link(link).number;
+            let guide = number(pair.guide.link);
+            let (what, mend) = match (how, pair.rider) {
+                (Round::Ride, Rider::Link { link, .. }) => (
+                    format!(
+                        "link {} stands turned by half a turn against the guide on link {guide} by which it slides",
+                        number(link)
+                    ),
+                    "correct `turned` of this pair or of the other that holds it, by half a turn, or the places",
+                ),
+                _ => (
+                    format!("the guide of link {guide} leads away from what rides on it"),
+                    "the x-axis of a link of one joint points to its rider: turn the guide round, or change the sign of `at`",
+                ),
+            };
+            (Subject::Slide(*slide), format!("cannot be assembled: {what}"), mend.to_owned())
+        }
         DrawError::Unplaced { point, why } => {
             let name = &scene.mechanism.point(*point).name;
             let stated = scene.mechanism.statement_of(*point);

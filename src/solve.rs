@@ -108,7 +108,10 @@ impl SolveError {
     pub fn refusal(&self) -> Option<Refusal> {
         match self {
             Self::Draw(
-                DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
+                DrawError::CannotAssemble { .. }
+                | DrawError::NoClosure { .. }
+                | DrawError::Unplaced { .. }
+                | DrawError::TurnedRound { .. },
             ) => Some(Refusal::CannotAssemble),
             Self::Draw(
                 DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. } | DrawError::NoAngle { .. },

@@ -243,6 +243,7 @@ fn refused(error: SolveError) -> Flaw {
             DrawError::CannotAssemble { .. }
             | DrawError::NoClosure { .. }
             | DrawError::Unplaced { .. }
+            | DrawError::TurnedRound { .. }
             | DrawError::ComesApart { .. },
         )
         | SolveError::Position(_) => Flaw::CannotAssemble,

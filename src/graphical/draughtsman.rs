@@ -352,6 +352,34 @@ impl<'m> Draughtsman<'m> {
         (self.sides, self.missing) = (None, None);
     }
 
+    /// Hands the paper over to another, who draws the skeleton of this mechanism on it: it has the same points and links, and
+    /// whatever is pricked stands there too.
+    pub(super) fn hand_over<'n>(
+        &mut self,
+        mechanism: &'n Mechanism,
+        structure: &'n Structure,
+    ) -> Draughtsman<'n>
+    where
+        'm: 'n,
+    {
+        let board = std::mem::replace(&mut self.board, Board::scratch());
+        let mut other = Draughtsman::new(board, mechanism, structure, self.scales);
+        other.searched = self.searched;
+        other.pricked.clone_from(&self.pricked);
+        other.stated_hints.clone_from(&self.stated_hints);
+        other.reasons = std::mem::take(&mut self.reasons);
+        other.reason_of = std::mem::take(&mut self.reason_of);
+        std::mem::swap(&mut other.record, &mut self.record);
+        other.silent = self.silent;
+        other
+    }
+
+    /// Takes the paper back, with what was drawn and recorded on it.
+    pub(super) fn take_back(&mut self, other: Draughtsman<'_>) {
+        (self.board, self.record) = (other.board, other.record);
+        (self.reasons, self.reason_of) = (other.reasons, other.reason_of);
+    }
+
     /// Rubs out what was recorded since.
     pub(super) fn begin_again_from(&mut self, before: &Construction) {
         self.record.clone_from(before);

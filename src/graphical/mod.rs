@@ -16,6 +16,7 @@ pub mod cycle_by_hand;
 mod departure;
 mod draughtsman;
 mod dyad;
+mod far_end;
 mod figure;
 mod forces;
 mod link_figure;
@@ -155,6 +156,14 @@ pub enum DrawError {
         /// How it shows.
         how: Parting,
     },
+    /// Two statements of how a link is turned contradict each other by half a turn.
+    #[error("a link stands turned round")]
+    TurnedRound {
+        /// The sliding pair by which it is turned otherwise than it stands.
+        slide: usize,
+        /// How.
+        how: Round,
+    },
     /// No construction is known for a group.
     #[error("no construction is known for a group")]
     NoConstruction {
@@ -175,6 +184,15 @@ pub enum Unplaced {
         /// By how much, metres.
         by: f64,
     },
+}
+
+/// How a link stands turned round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Round {
+    /// What slides without turning has the opposite direction to the one that its guide gives it.
+    Ride,
+    /// A swivelling guide of one joint leads away from its rider.
+    AwayFromRider,
 }
 
 /// How two bodies come apart that roll on each other: the derivative of the distance between their centres, or of a

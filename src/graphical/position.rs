@@ -64,11 +64,16 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
             d.back_to(&begun);
             let led = d.lead_by_places();
             let found = d.skeleton();
-            if !led {
-                return Err(error);
+            d.back_to(&Skeleton { places: begun.places.clone(), poses: begun.poses.clone(), ..found });
+            let mut drawn = if led { draw_groups(d, plan) } else { Err(error.clone()) };
+            if drawn.is_err() {
+                d.back_to(&begun);
+                if d.lead_from_far_end() {
+                    let found = d.skeleton();
+                    d.back_to(&Skeleton { places: begun.places, poses: begun.poses, ..found });
+                    drawn = draw_groups(d, plan);
+                }
             }
-            d.back_to(&Skeleton { places: begun.places, poses: begun.poses, ..found });
-            let drawn = draw_groups(d, plan);
             match error {
                 // What does not close by its dyads is told as it was found by them.
                 DrawError::NoClosure { .. } => drawn.map_err(|_| error),
@@ -79,7 +84,8 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
     }
 }
 
-fn draw_groups(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
+/// Draws the planned groups in order of transmission.
+pub(super) fn draw_groups(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
     for step in plan.steps(Order::Position) {
         let group = &d.structure.groups[step.group];
         d.step(Order::Position, &group.links.clone(), Vec::new());
@@ -668,60 +674,7 @@ impl Draughtsman<'_> {
             self.act(Act::MarkPlaces);
         } else {
             let circle = self.circle(main[0], centre);
-            let reason = self.reason(&[rod, wheel]);
-            let mut met = Vec::new();
-            let tracks = self.centre_tracks(roll, wheel);
-            for track in &tracks {
-                met.push(match *track {
-                    Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
-                    Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
-                });
-            }
-            // The hint also chooses the side of the line on which the wheel rolls.
-            let mut nearest: Option<(usize, Pair, f64)> = None;
-            for (track, met) in met.into_iter().enumerate() {
-                let Ok(pair) = met else { continue };
-                let misses = if self.hint_of(centre).is_some() {
-                    [Side::First, Side::Second]
-                        .map(|side| self.miss_of_hint(centre, self.board.look(&pair, side)))
-                } else {
-                    self.hints_beside(&main, None, centre, pair)
-                };
-                let miss = misses.into_iter().flatten().fold(f64::INFINITY, f64::min);
-                if nearest.is_none_or(|(.., least)| miss < least) {
-                    nearest = Some((track, pair, miss));
-                }
-            }
-            let Some((track, pair, _)) = nearest else {
-                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
-            };
-            self.chosen(track);
-            let radius = circle.radius.value() * self.scales.length();
-            self.act(Act::DrawCentrePath { centre, roll });
-            self.act(Act::StrikeArc { centre: base, to: centre, radius });
-            self.take_hinted(&main, None, centre, pair)?;
-            /// Of the radius of the arc.
-            const PIECE: f64 = 0.3;
-            let at = self.at(centre).value();
-            let step = self.step_index();
-            let path = match tracks.get(track) {
-                Some(Track::Straight(line)) => {
-                    // A piece of it: it is drawn where the arc meets it.
-                    let through = line.through.value();
-                    let far = libm::hypot(through[0] - at[0], through[1] - at[1]);
-                    let part = (PIECE * circle.radius.value() / far.max(f64::MIN_POSITIVE)).min(1.0);
-                    let from = [0, 1].map(|k| at[k] + part * (through[k] - at[k]));
-                    Some(ConstructionLine::Ray { from, to: at, claim: None, step })
-                }
-                Some(Track::Arc(arc)) => {
-                    let (centre, radius) = (arc.centre.value(), arc.radius.value());
-                    Some(ConstructionLine::Arc { centre, radius, at, step })
-                }
-                None => None,
-            };
-            path.into_iter().for_each(|path| self.space_line(path));
-            let (centre, radius) = (circle.centre.value(), circle.radius.value());
-            self.space_line(ConstructionLine::Arc { centre, radius, at, step });
+            self.meet_centre((rod, base), circle, &main, (centre, roll, wheel))?;
         }
         self.transfer_points(step, &main, centre);
         self.contact(wheel, roll);
@@ -797,6 +750,71 @@ impl Draughtsman<'_> {
         let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
         let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
         Err(DrawError::Ambiguous { pin: centre, first, second })
+    }
+
+    /// A rolling wheel's centre on the arc of a link about its base; the hints beside it are those of these rods.
+    fn meet_centre(
+        &mut self,
+        (link, base): (LinkId, PointId),
+        circle: Circle,
+        rods: &[(LinkId, PointId)],
+        (centre, roll, wheel): (PointId, usize, LinkId),
+    ) -> Result<(), DrawError> {
+        let reason = self.reason(&[link, wheel]);
+        let mut met = Vec::new();
+        let tracks = self.centre_tracks(roll, wheel);
+        for track in &tracks {
+            met.push(match *track {
+                Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
+                Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
+            });
+        }
+        // The hint also chooses the side of the line on which the wheel rolls.
+        let mut nearest: Option<(usize, Pair, f64)> = None;
+        for (track, met) in met.into_iter().enumerate() {
+            let Ok(pair) = met else { continue };
+            let misses = if self.hint_of(centre).is_some() {
+                [Side::First, Side::Second]
+                    .map(|side| self.miss_of_hint(centre, self.board.look(&pair, side)))
+            } else {
+                self.hints_beside(rods, None, centre, pair)
+            };
+            let miss = misses.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            if nearest.is_none_or(|(.., least)| miss < least) {
+                nearest = Some((track, pair, miss));
+            }
+        }
+        let Some((track, pair, _)) = nearest else {
+            return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
+        };
+        self.chosen(track);
+        let radius = circle.radius.value() * self.scales.length();
+        self.act(Act::DrawCentrePath { centre, roll });
+        self.act(Act::StrikeArc { centre: base, to: centre, radius });
+        self.take_hinted(rods, None, centre, pair)?;
+        /// Of the radius of the arc.
+        const PIECE: f64 = 0.3;
+        let at = self.at(centre).value();
+        let step = self.step_index();
+        let path = match tracks.get(track) {
+            Some(Track::Straight(line)) => {
+                // A piece of it: it is drawn where the arc meets it.
+                let through = line.through.value();
+                let far = libm::hypot(through[0] - at[0], through[1] - at[1]);
+                let part = (PIECE * circle.radius.value() / far.max(f64::MIN_POSITIVE)).min(1.0);
+                let from = [0, 1].map(|k| at[k] + part * (through[k] - at[k]));
+                Some(ConstructionLine::Ray { from, to: at, claim: None, step })
+            }
+            Some(Track::Arc(arc)) => {
+                let (centre, radius) = (arc.centre.value(), arc.radius.value());
+                Some(ConstructionLine::Arc { centre, radius, at, step })
+            }
+            None => None,
+        };
+        path.into_iter().for_each(|path| self.space_line(path));
+        let (centre, radius) = (circle.centre.value(), circle.radius.value());
+        self.space_line(ConstructionLine::Arc { centre, radius, at, step });
+        Ok(())
     }
 
     /// A wheel's centre where two tracks of it meet: those on which contacts hold it, or a guide.
@@ -1029,6 +1047,7 @@ impl Draughtsman<'_> {
     ) -> Result<(), DrawError> {
         let mut arcs: Vec<((LinkId, PointId), Circle)> = Vec::new();
         let mut guides = Vec::new();
+        let mut touching = None;
         for (hold, rider) in holds.into_iter().zip(riders) {
             match hold {
                 Hold::Rod { rod, base } => arcs.push(((rod, base), self.circle((rod, base), pin))),
@@ -1040,8 +1059,11 @@ impl Draughtsman<'_> {
                     arcs.push(((ram.lever, ram.base), circle));
                 }
                 Hold::Slide(slide) => guides.push((slide, self.riding_track(slide, rider, pin))),
-                Hold::Contact { .. } => return Err(DrawError::NotPlaced { point: pin }),
+                Hold::Contact { roll, wheel } => touching = Some((pin, roll, wheel)),
             }
+        }
+        if let (&[(main, circle)], Some(touching)) = (arcs.as_slice(), touching) {
+            return self.meet_centre(main, circle, &[], touching);
         }
         let links: Vec<LinkId> = arcs.iter().map(|&((link, _), _)| link).collect();
         let (pair, beside) = match (arcs.as_slice(), guides.as_slice()) {
@@ -1288,7 +1310,7 @@ impl Draughtsman<'_> {
     }
 
     /// A direction of a figure turned as another one of it is turned.
-    fn turned_with(&mut self, own: Direction, from: Direction, to: Direction) -> Direction {
+    pub(super) fn turned_with(&mut self, own: Direction, from: Direction, to: Direction) -> Direction {
         let turn = self.board.angle_between(from, own);
         self.board.turned(to, turn)
     }

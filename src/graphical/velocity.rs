@@ -15,7 +15,7 @@ use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Dimension, Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind, Target, TrialDriver, Unknown};
-use crate::mechanism::{GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
+use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, Vector, VectorKind};
@@ -931,19 +931,11 @@ impl Draughtsman<'_> {
         if !driven && !inner.chain(&self.structure.groups).any(carries) {
             return None;
         }
-        let at_joint = |through: GuidePoint| match through {
-            GuidePoint::Point(point) => point == joint,
-            GuidePoint::Own(own) => {
-                mechanism.link(link).has_at_origin(joint) && own.iter().all(|c| c.value == 0.0)
-            }
-        };
-        let through_joint = |path: Path| match path {
-            Path::Straight { through, offset, .. } => at_joint(through) && offset == Given::exact(0.0),
-            Path::Arc { .. } => false,
-        };
         (0..mechanism.slides.len()).find(|&slide| {
             let guide = mechanism.slides[slide].guide;
-            guide.link == link && self.riding_point(slide, joint) == point && through_joint(guide.path)
+            guide.link == link
+                && self.riding_point(slide, joint) == point
+                && mechanism.leads_through(&guide, joint)
         })
     }
 

@@ -14,7 +14,7 @@ use crate::plan::Plan;
 
 use super::draughtsman::Draughtsman;
 use super::pose::Track;
-use super::{DrawError, Parting, Unplaced};
+use super::{DrawError, Parting, Round, Unplaced};
 
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
@@ -98,6 +98,7 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
         if !stands(d, slide.guide.link) {
             continue;
         }
+        turned_round(d, index)?;
         // Every point of a link that slides without turning moves on a parallel to the guide.
         let riders = match slide.rider {
             Rider::Pin { point, .. } => vec![point],
@@ -266,6 +267,27 @@ impl Draughtsman<'_> {
         }
         measured.iter().map(|mark| tape.bound(*mark)).sum()
     }
+}
+
+/// What lies on a line either way round lies on it: which way it is turned shows by its direction alone.
+///
+/// # Errors
+/// [`DrawError::TurnedRound`] where a link that slides is turned by half a turn against its guide, or a link of one joint
+/// has its rider behind it.
+fn turned_round(d: &mut Draughtsman<'_>, slide: usize) -> Result<(), DrawError> {
+    let pair = d.mechanism.slides[slide];
+    if d.swivels_on(pair.guide.link, slide) && !d.faces_rider(pair.guide.link) {
+        return Err(DrawError::TurnedRound { slide, how: Round::AwayFromRider });
+    }
+    let Rider::Link { link, turned: Some(_) } = pair.rider else { return Ok(()) };
+    let Some(pose) = d.poses[link.0].filter(|_| d.poses[pair.guide.link.0].is_some()) else { return Ok(()) };
+    let (own, led) = d.ride_directions(slide, link);
+    let stands = d.turned_with(own, pose.own_along, pose.along);
+    let ([a, b], [x, y]) = (led.value(), stands.value());
+    if a * x + b * y < 0.0 {
+        return Err(DrawError::TurnedRound { slide, how: Round::Ride });
+    }
+    Ok(())
 }
 
 /// A place that is stated of a point must agree with where the rest of the scene puts it.

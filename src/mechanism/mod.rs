@@ -428,6 +428,45 @@ impl Mechanism {
         translates
     }
 
+    /// Whether a straight guide leads through a point of its link, as far as the scene states it: in whatever way it states the
+    /// line, and the link's points.
+    #[must_use]
+    pub fn leads_through(&self, guide: &Guide, joint: PointId) -> bool {
+        /// Stated numbers have about sixteen digits.
+        const ROUNDING: f64 = 1e-14;
+        let Path::Straight { through, direction, turned, offset } = guide.path else { return false };
+        let unshifted = offset.value == 0.0;
+        if unshifted
+            && (through == GuidePoint::Point(joint)
+                || direction == Direction::Toward(joint) && turned.value == 0.0)
+        {
+            return true;
+        }
+        let link = self.link(guide.link);
+        let stated = |point: PointId| match link.form {
+            Form::Placed => self.point(point).place.exact().map(|at| at.map(|x| x.value)),
+            _ => link.stated_at(link.points.iter().position(|own| *own == point)?),
+        };
+        let from = match through {
+            GuidePoint::Own(own) => Some(own.map(|x| x.value)),
+            GuidePoint::Point(point) => stated(point),
+        };
+        let (Some([x, y]), Some(joint)) = (from, stated(joint)) else { return false };
+        if unshifted && [x, y] == joint {
+            return true;
+        }
+        let angle = match direction {
+            Direction::Angle(angle) => Some(angle.value),
+            Direction::Toward(point) => stated(point).map(|at| libm::atan2(at[1] - y, at[0] - x)),
+        };
+        let Some(angle) = angle else { return false };
+        let (sine, cosine) = (libm::sin(angle + turned.value), libm::cos(angle + turned.value));
+        // To the left of the line through that point, as the offset counts.
+        let left = (joint[1] - y) * cosine - (joint[0] - x) * sine;
+        let size = [x, y, joint[0], joint[1], offset.value].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        (left - offset.value).abs() <= ROUNDING * size
+    }
+
     /// The sliding pair of a block that rides on an arc, with its pin.
     #[must_use]
     pub fn arc_of_block(&self, link: LinkId) -> Option<(usize, PointId)> {

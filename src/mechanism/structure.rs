@@ -922,13 +922,15 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             _ => GroupKind::Other,
         };
     }
+    if let (true, true, Some(driven)) = (
+        rolls.is_empty(),
+        turned.is_empty(),
+        driven_pin(mechanism, &rods, points, (&slides, &moved), (&held, &outer)),
+    ) {
+        return driven;
+    }
     if !rolls.is_empty() || !held.is_empty() {
         return GroupKind::Other;
-    }
-    if let (true, Some(driven)) =
-        (turned.is_empty(), driven_pin(mechanism, &rods, points, (&slides, &moved), &outer))
-    {
-        return driven;
     }
     if let (&[(link, input @ Drive::Input(_))], [], false) =
         (turned.as_slice(), moved.as_slice(), outer.is_empty())
@@ -1064,13 +1066,14 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     }
 }
 
-/// A pin that is driven along a lever about a solved pin, or along two of them, and held besides.
+/// A pin that is driven along a lever about a solved pin, or along two of them, and held besides: by a rod, on a guide, or as
+/// the centre of a wheel that rolls.
 fn driven_pin(
     mechanism: &Mechanism,
     rods: &[LinkId],
     points: &[PointId],
     (slides, moved): (&[usize], &[(usize, Drive)]),
-    outer: &[(LinkId, PointId)],
+    (held, outer): (&[usize], &[(LinkId, PointId)]),
 ) -> Option<GroupKind> {
     let &[pin] = points else { return None };
     let has_pin = |link: LinkId| mechanism.point(pin).links.contains(&link);
@@ -1107,7 +1110,11 @@ fn driven_pin(
     let levers = || found.iter().filter_map(|(hold, _)| hold.ram().map(|ram| ram.lever));
     let arms = outer.iter().filter(|&&(rod, _)| levers().all(|lever| lever != rod));
     let arms = arms.map(|&(rod, base)| (Hold::Rod { rod, base }, None));
-    let mut holds: Vec<(Hold, Option<LinkId>)> = found.iter().copied().chain(arms).collect();
+    let contacts = held.iter().filter_map(|&roll| {
+        let wheel = wheel_about(&mechanism.rolls[roll], pin)?;
+        Some((Hold::Contact { roll, wheel }, None))
+    });
+    let mut holds: Vec<(Hold, Option<LinkId>)> = found.iter().copied().chain(arms).chain(contacts).collect();
     holds.sort_by_key(|(hold, _)| hold.ram().is_none());
     let &[(first, with), (second, other)] = holds.as_slice() else { return None };
     let all: BTreeSet<LinkId> = levers()
@@ -1115,9 +1122,14 @@ fn driven_pin(
         .chain(with)
         .chain(other)
         .collect();
-    let whole = found.len() == slides.len() && first.ram().is_some() && all.len() == rods.len();
+    let touching = [first, second].iter().filter(|hold| matches!(hold, Hold::Contact { .. })).count();
+    let whole = found.len() == slides.len()
+        && touching == held.len()
+        && first.ram().is_some()
+        && all.len() == rods.len();
     let arms_have = [first, second].iter().all(|hold| hold.rod().is_none_or(|(rod, _)| has_pin(rod)));
-    let each = outer.len() == [first, second].iter().filter(|hold| hold.slide().is_none()).count();
+    let based = |hold: &&Hold| hold.ram().is_some() || hold.rod().is_some();
+    let each = outer.len() == [first, second].iter().filter(based).count();
     (whole && arms_have && each && moved.iter().all(|(slide, _)| slides.contains(slide)))
         .then_some(GroupKind::Driven { pin, holds: [first, second], riders: [with, other] })
 }

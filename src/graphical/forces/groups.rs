@@ -382,8 +382,28 @@ fn driven_pin(
     match (legs, holds[1]) {
         ([Some(first), Some(second)], _) => rrr(d, [first, second], pin, balance),
         ([Some(first), None], Hold::Slide(slide)) => rrp(d, first, pin, (slide, riders[1]), balance),
+        ([Some(first), None], Hold::Contact { roll, wheel }) => {
+            leaning(d, first, pin, (roll, wheel), balance)
+        }
         _ => balance.refused = Some(NO_BALANCE),
     }
+}
+
+/// A driven lever whose pin is the centre of a wheel that rolls: moments about its base give how hard that presses.
+fn leaning(
+    d: &mut Draughtsman<'_>,
+    leg: Leg,
+    pin: PointId,
+    (roll, wheel): (usize, LinkId),
+    balance: &mut Balance,
+) {
+    let about = (leg.base, d.touch_at(balance, leg.base, leg.link));
+    let (push, own) = rolling::pressing(d, (leg.bodies(), leg.head()), (roll, wheel), about, balance);
+    leg.note_member(pin, balance);
+    leg.balanced(d, balance, pin, push);
+    // After that: a wheel that is balanced already hands the push on to the pin.
+    let contact = d.contact_at(roll);
+    d.presses(balance, roll, (own, leg.head()), push, &contact);
 }
 
 /// The polygon of what rides, with the line of the guide and the line square to it.

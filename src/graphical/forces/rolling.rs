@@ -440,24 +440,39 @@ pub(super) fn leaning(
     roll: usize,
     balance: &mut Balance,
 ) {
-    let items = balance.on(link);
     let about = d.touch_at(balance, base, link);
+    let items = balance.on(link);
+    let (push, own) = pressing(d, (vec![link], link), (roll, wheel), (base, about), balance);
     let contact = d.contact_at(roll);
-    let [_, second] = d.mechanism.rolls[roll].bodies();
-    // The body of the pair that is the link, or turns at its end.
-    let own = d.rolling_side(roll, link, wheel);
-    let outward = if own == second { contact.push } else { d.board.reverse(contact.push) };
-    let moments = d.moments(&items, about);
-    let size = d.balancing(moments, Line { through: contact.at, along: outward }, about, &[link]);
-    let found = TakenFor::Roll { roll, on: own, presses: true };
-    let links = if own == link { vec![link] } else { vec![link, own] };
-    balance.taken.push(Taken { links, about: About::Point(base), found });
-    let push = d.pull_along(outward, size);
     d.presses(balance, roll, (own, link), push, &contact);
     let mut all = pulls(&items);
     all.push(push);
     let reaction = d.closing(&all);
     d.note_pin(balance, base, link, reaction);
+}
+
+/// How a contact presses on one of these links, which together turn about a base, by moments about it; and the body of the
+/// pair that this link is, or that turns at its end.
+pub(super) fn pressing(
+    d: &mut Draughtsman<'_>,
+    (mut links, link): (Vec<LinkId>, LinkId),
+    (roll, wheel): (usize, LinkId),
+    (base, about): (PointId, Point),
+    balance: &mut Balance,
+) -> (Pull, LinkId) {
+    let items: Vec<Item> = links.iter().flat_map(|&body| balance.on(body)).collect();
+    let contact = d.contact_at(roll);
+    let [_, second] = d.mechanism.rolls[roll].bodies();
+    let own = d.rolling_side(roll, link, wheel);
+    let outward = if own == second { contact.push } else { d.board.reverse(contact.push) };
+    let moments = d.moments(&items, about);
+    let size = d.balancing(moments, Line { through: contact.at, along: outward }, about, &[link]);
+    let found = TakenFor::Roll { roll, on: own, presses: true };
+    if own != link {
+        links.push(own);
+    }
+    balance.taken.push(Taken { links, about: About::Point(base), found });
+    (d.pull_along(outward, size), own)
 }
 
 /// A link in a guide, held by a contact: a polygon with two known lines.
