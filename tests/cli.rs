@@ -861,6 +861,37 @@ fn a_sweep_tells_what_happens_and_writes_tables() {
     assert_eq!(folder.contents(), contents, "a refused sweep writes nothing");
 }
 
+/// A piece of a curve whose handle is far longer than itself shoots out of the diagram: these have kinks of magnitudes and
+/// corners of hodographs beside their places.
+#[test]
+fn no_curve_of_a_sweep_has_a_spike() {
+    let folder = Folder::new("sweep-spikes");
+    let mut looked = 0;
+    for example in ["s000-ch3a-2", "s000-ch4-8-d", "s000-ch4-9-d", "s000-ch4-6-c"] {
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(example).with_extension("json");
+        let scene = std::path::absolute(scene).unwrap();
+        let ran =
+            run_in(&folder.0, &["sweep", scene.to_str().unwrap(), "--steps", "72", "-o", "s.svg"], None);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let svg = std::fs::read_to_string(folder.0.join("s.svg")).unwrap();
+        std::fs::remove_file(folder.0.join("s.svg")).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let curves = document.descendants().filter(|node| {
+            node.attribute("class").is_some_and(|class| class.split(' ').any(|own| own == "curve"))
+        });
+        for curve in curves.filter_map(|node| node.attribute("d")) {
+            looked += 1;
+            for piece in kurbo::BezPath::from_svg(curve).unwrap().segments() {
+                let kurbo::PathSeg::Cubic(cubic) = piece else { continue };
+                let handle = cubic.p0.distance(cubic.p1).max(cubic.p2.distance(cubic.p3));
+                let chord = cubic.p0.distance(cubic.p3);
+                assert!(handle <= 1.5 * chord + 0.5, "{example}: a handle of {handle} mm bends {chord} mm");
+            }
+        }
+    }
+    assert!(looked > 20, "{looked} curves");
+}
+
 /// The rows of a table of a sweep, by heading.
 fn table(csv: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
     let mut lines = csv.lines();

@@ -383,6 +383,24 @@ fn places_that_contradict_what_follows_are_refused() {
               "input": { "link": 2, "angle": 60, "omega": 2 }, "find": ["omega(4)"] }"#,
             "but link 3 makes it 3.5 m",
         ),
+        (
+            // By its guide on link 2 the disc points up, by that on link 4 down.
+            r#"{ "fixed": { "O2": [0, 0], "O4": [20, 0] }, "placed": { "A": [0, 60], "C": [0, 0], "B": [-30, 0] },
+              "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["C"] }, "4": { "joins": ["O4", "B"] } },
+              "slides": [{ "link": 3, "on": { "link": 2, "through": "O2", "toward": "A" } },
+                { "link": 3, "turned": 90, "on": { "link": 4, "through": "O4", "toward": "B" } }],
+              "input": { "link": 2, "omega": -39 }, "find": ["v(C)"] }"#,
+            "link 3 stands turned by half a turn against the guide on link",
+        ),
+        (
+            // A guide of one joint points to its rider, and this one has it behind.
+            r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [80, -40] }, "near": { "A": [71, 29] },
+              "links": { "2": { "joins": ["O2", "A"], "length": 76.2 }, "3": { "joins": ["A"] },
+                "4": { "joins": ["O4"] } },
+              "slides": [{ "link": 3, "on": { "link": 4, "through": "O4", "angle": 0 } }],
+              "input": { "slide": 3, "velocity": 25, "at": -70.71 }, "find": ["v(A)"] }"#,
+            "the guide of link 4 leads away from what rides on it",
+        ),
     ] {
         let message = match linkgram::scene::read(text, "test.json") {
             Err(error) => error.to_string(),

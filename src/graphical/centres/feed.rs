@@ -11,7 +11,7 @@ use super::super::construction::{Act, Claim, Label, Reference, VectorKind};
 use super::super::draughtsman::Draughtsman;
 use super::velocities::Why;
 
-const ROLLING: Why = "a wheel that rolls on a moving body: its acceleration is not found from centres";
+const ROLLING: Why = "a wheel that rolls at the end of a rod: this version finds no accelerations from centres there";
 
 /// Lays off the velocities of the planned links from a pole, each found from its link's centre.
 ///
