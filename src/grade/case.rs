@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
+use super::feet;
 use super::force_mistakes::same as same_force;
 use super::is_prime;
 use super::phrase::{Phrase, say};
@@ -29,7 +30,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
-use crate::sheet::{HandedIn, Language, OwnForce, Symbol};
+use crate::sheet::{Language, OwnForce, Symbol};
 use crate::solve::{self, Solved};
 use crate::tolerance::{self, Ground, Standard, Tolerated};
 
@@ -56,6 +57,10 @@ pub(super) struct Observation {
     pub(super) quantity: Option<Quantity>,
     /// SI; never [`Given::Drawn`].
     pub(super) given: Given,
+    /// The same as it was handed in, where [`Self::given`] is what it comes to.
+    pub(super) written: Option<Given>,
+    /// A foot of a polygon as the student letters it.
+    pub(super) letter: Option<Label>,
     /// It was measured on the drawing by the student: no scale was used.
     pub(super) on_paper: bool,
     /// In which form it was written.
@@ -324,7 +329,7 @@ impl<'s> Case<'s> {
         case.observe_items(answers);
         let mut not_found = Vec::new();
         let figures = answers.figures.iter().map(|figure| case.found(answers, figure, &mut not_found));
-        let mut figures: Vec<Found<'_>> = figures.collect();
+        let figures: Vec<Found<'_>> = figures.collect();
         let own = case.own_scales(&figures);
         if !own.is_empty() {
             let mut at_own = answers.clone();
@@ -334,8 +339,16 @@ impl<'s> Case<'s> {
             case.own_scales = own;
             return Ok(case);
         }
+        // A hand slips as much on a small drawing as on a large one.
+        if let Some(factor) = case.skeletons_scale(&figures) {
+            let mut at_own = answers.clone();
+            at_own.scales.tell(Order::Position, Some(case.si_per_mm(Order::Position) / factor));
+            let mut case = Self::new(scene, &at_own, settings)?;
+            case.unread.splice(0..0, unread);
+            case.enlarged = Some(factor);
+            return Ok(case);
+        }
         unread.extend(not_found);
-        case.take_to_scale(&mut figures);
         case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
         for figure in figures {
             unread.extend(case.observe_points(answers, figure));
@@ -383,6 +396,8 @@ impl<'s> Case<'s> {
                 target: Target::Asked(start + index),
                 quantity: Some(quantity),
                 given,
+                written: None,
+                letter: None,
                 on_paper,
                 form: item.form,
                 unit: item.asked.unit.clone(),
@@ -398,6 +413,8 @@ impl<'s> Case<'s> {
                     target: Target::Line(start + index, through),
                     quantity: None,
                     given: Given::Signed(0.0),
+                    written: None,
+                    letter: None,
                     on_paper: false,
                     form: Form::Number,
                     unit,
@@ -753,17 +770,13 @@ impl<'s> Case<'s> {
         }
     }
 
-    /// Takes a skeleton that is drawn as a whole at another scale, and none is stated, to that of the sheet.
-    fn take_to_scale(&mut self, figures: &mut [Found<'_>]) {
+    /// How many times larger than at the sheet's scale the skeleton is drawn as a whole, where none is stated.
+    fn skeletons_scale(&self, figures: &[Found<'_>]) -> Option<f64> {
         if self.stated.of(Order::Position.dimension()).is_some() {
-            return;
+            return None;
         }
-        for found in figures.iter_mut().filter(|found| found.figure.order == Order::Position) {
-            self.enlarged = turned::enlarged(&self.mechanism, &self.right.construction, found);
-            if let Some(factor) = self.enlarged {
-                found.points.iter_mut().for_each(|(_, at, _)| *at = at.map(|mm| mm / factor));
-            }
-        }
+        let skeleton = figures.iter().find(|found| found.figure.order == Order::Position)?;
+        turned::enlarged(&self.mechanism, &self.right.construction, skeleton)
     }
 
     /// Points of a figure, from its pole; those of the skeleton from its fixed points. Gives what is not read: where nothing
@@ -785,13 +798,15 @@ impl<'s> Case<'s> {
             return Some(Unread { name: format!("points.{}", figure_name(order)), quantity: None, why });
         };
         let si = self.si_per_mm(order);
-        for (name, at, target) in points {
+        let points: Vec<_> =
+            points.into_iter().map(|(name, at, target)| (name, onto.right(at), target)).collect();
+        let meant = self.meant(order, &points);
+        for ((name, at, lettered), (meant, target)) in points.into_iter().zip(meant) {
             let (rank, quantity) = match target {
                 Target::Image(_, Label::Pole) => continue,
                 Target::Place(point) if self.mechanism.is_fixed(point) => {
                     if let Some(place) = self.right.construction.space.places[point.0] {
-                        let own = onto.right(at);
-                        let by = [own[0] - place[0], own[1] - place[1]];
+                        let by = [at[0] - place[0], at[1] - place[1]];
                         if size(&by) > ELSEWHERE {
                             self.pivots.push((point, by.map(|mm| mm * si)));
                         }
@@ -805,12 +820,17 @@ impl<'s> Case<'s> {
                 }
                 Target::Asked(_) | Target::Line(..) => continue,
             };
-            let at = onto.right(at);
+            let given = |at: [f64; 2]| Given::Vector([at[0] * si, at[1] * si]);
             self.observations.push(Observation {
                 name: format!("{}:{name}", figure_name(order)),
                 target,
                 quantity,
-                given: Given::Vector([at[0] * si, at[1] * si]),
+                given: given(meant),
+                written: (meant != at).then(|| given(at)),
+                letter: match lettered {
+                    Target::Image(_, letter @ Label::Foot { .. }) => Some(letter),
+                    _ => None,
+                },
                 on_paper: true,
                 form: Form::Paper,
                 unit: self.unit_of(order),
@@ -820,6 +840,27 @@ impl<'s> Case<'s> {
             });
         }
         None
+    }
+
+    /// What the points of a figure are, and where each would stand in the order of the solution (mm): feet are the student's to
+    /// letter and to lay off.
+    fn meant(&self, order: Order, points: &[(&str, [f64; 2], Target)]) -> Vec<([f64; 2], Target)> {
+        let mut meant: Vec<([f64; 2], Target)> =
+            points.iter().map(|(_, at, target)| (*at, *target)).collect();
+        let Some(right) = polygon(&self.right.construction, order) else { return meant };
+        let images: Vec<(usize, feet::Own)> = points
+            .iter()
+            .enumerate()
+            .filter_map(|(index, (_, at, target))| match *target {
+                Target::Image(_, label) => Some((index, feet::Own { label, at: *at })),
+                _ => None,
+            })
+            .collect();
+        let own: Vec<feet::Own> = images.iter().map(|(_, own)| *own).collect();
+        for ((index, _), own) in images.iter().zip(feet::meant(right, &own)) {
+            meant[*index] = (own.at, Target::Image(order, own.label));
+        }
+        meant
     }
 
     /// How a student's figure lies against the right one, the sheet turned back; `None` where nothing tells.
@@ -948,9 +989,52 @@ impl<'s> Case<'s> {
         let mut departures = change.departures.clone();
         for stray in &change.strays {
             let without = drawn(&departures)?;
-            departures.push(strayed(&without.construction, stray)?);
+            departures.push(self.strayed(&without.construction, stray)?);
         }
         drawn(&departures)
+    }
+
+    /// Where the image stands to which a stray line leads.
+    fn strayed(&self, construction: &Construction, stray: &Stray) -> Option<Departure> {
+        let lines = &polygon(construction, stray.order)?.lines;
+        let ray = |wanted: &dyn Fn(Claim, usize) -> bool| {
+            lines.iter().find_map(|line| match *line {
+                ConstructionLine::Ray { from, claim: Some(claim), step, .. } if wanted(claim, step) => {
+                    Some((from, claim, step))
+                }
+                _ => None,
+            })
+        };
+        let (from, _, step) = ray(&|claim, _| claim == stray.claim)?;
+        let (other, held, _) = ray(&|claim, at| at == step && claim != stray.claim)?;
+        let skeleton = self.with_this_skeleton(construction);
+        let along = direction(skeleton, stray.by)?;
+        let along = if stray.square { [-along[1], along[0]] } else { along };
+        let across = claimed(skeleton, held)?;
+        let sine = along[0] * across[1] - along[1] * across[0];
+        if sine.abs() < FLAT {
+            return None;
+        }
+        let apart = [other[0] - from[0], other[1] - from[1]];
+        let far = (apart[0] * across[1] - apart[1] * across[0]) / sine;
+        let label = construction.steps.get(step)?.acts.iter().find_map(|act| match *act {
+            Act::MarkMeet { label, .. } => Some(label),
+            _ => None,
+        })?;
+        let at = [from[0] + far * along[0], from[1] + far * along[1]];
+        match label {
+            Label::Image { point, link: Some(link) } if !self.holds(link, point) => {
+                Some(Departure::Under { order: stray.order, pin: point, link, at })
+            }
+            Label::Image { point, .. } => Some(Departure::Image { order: stray.order, point, at }),
+            _ => None,
+        }
+    }
+
+    /// The right drawing, where a construction has the same skeleton: lines of its polygons lie as they claim to.
+    pub(super) fn with_this_skeleton<'c>(&'c self, construction: &'c Construction) -> &'c Construction {
+        let right = &self.right.construction;
+        if right.space.places == construction.space.places { right } else { construction }
     }
 
     /// Whether anything was answered that is found in the polygon of this order.
@@ -1018,40 +1102,10 @@ impl<'s> Case<'s> {
         self.balance().iter().flat_map(|sheet| sheet.bodies.iter().enumerate()).filter_map(on_body).collect()
     }
 
-    /// A vector of a polygon as the student handed it in; a magnitude has the direction that the drawing gives it.
-    pub(super) fn handed_in(&self, index: usize, sketch: &Sketch) -> Option<HandedIn> {
-        let observation = &self.observations[index];
-        if let (Target::Image(order, head), Given::Vector(at)) = (observation.target, observation.given) {
-            let si = self.si_per_mm(order);
-            return Some(HandedIn { diagram: order.diagram(), from: [0.0; 2], to: at.map(|x| x / si), head });
-        }
-        let quantity = observation.quantity.filter(is_vector)?;
-        let order = quantity.order();
-        let vectors = &polygon(&sketch.construction, order)?.vectors;
-        let vector = vectors.iter().find(|v| v.quantity == quantity)?;
-        let drawn = [vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]];
-        let si = self.si_per_mm(order);
-        let own = match observation.given {
-            Given::Vector(given) => given.map(|x| x / si),
-            Given::Magnitude(given) | Given::Drawn(given) if size(&drawn) > 0.0 => {
-                drawn.map(|x| x / size(&drawn) * given / si)
-            }
-            _ => return None,
-        };
-        let to = [vector.from[0] + own[0], vector.from[1] + own[1]];
-        Some(HandedIn { diagram: order.diagram(), from: vector.from, to, head: vector.head })
-    }
-
-    /// Where in a polygon an answer stands: the head of its vector, or of that from which it is calculated.
-    pub(super) fn place_of(&self, index: usize, sketch: &Sketch) -> Option<(Order, [f64; 2])> {
-        let observation = &self.observations[index];
-        let construction = &sketch.construction;
-        if let Target::Image(order, label) = observation.target {
-            let image = polygon(construction, order)?.images.iter().rev().find(|i| i.label == label)?;
-            return Some((order, image.at));
-        }
-        let quantity = observation.quantity?;
-        let calculated = construction.steps.iter().flat_map(|s| &s.acts).find_map(|act| match *act {
+    /// The quantity that an answer tells, or that of the vector from which it is calculated.
+    pub(super) fn read_from(&self, index: usize, sketch: &Sketch) -> Option<Quantity> {
+        let quantity = self.observations[index].quantity?;
+        let calculated = sketch.construction.steps.iter().flat_map(|s| &s.acts).find_map(|act| match *act {
             Act::Calculate(Calculation::Omega { link, quantity: of, .. })
                 if quantity == Quantity::Omega(link) =>
             {
@@ -1064,10 +1118,7 @@ impl<'s> Case<'s> {
             }
             _ => None,
         });
-        let quantity = calculated.unwrap_or(quantity);
-        let order = quantity.order();
-        let vector = polygon(construction, order)?.vectors.iter().find(|v| v.quantity == quantity)?;
-        Some((order, vector.to))
+        Some(calculated.unwrap_or(quantity))
     }
 
     /// What a student would answer who drew this and misread it so.
@@ -1985,37 +2036,6 @@ pub(super) fn claimed(construction: &Construction, claim: Claim) -> Option<[f64;
         Claim::Parallel(of) => direction(construction, of),
         Claim::Perpendicular(of) => direction(construction, of).map(|[x, y]| [-y, x]),
     }
-}
-
-/// Where the image stands to which a stray line leads.
-fn strayed(construction: &Construction, stray: &Stray) -> Option<Departure> {
-    let lines = &polygon(construction, stray.order)?.lines;
-    let ray = |wanted: &dyn Fn(Claim, usize) -> bool| {
-        lines.iter().find_map(|line| match *line {
-            ConstructionLine::Ray { from, claim: Some(claim), step, .. } if wanted(claim, step) => {
-                Some((from, claim, step))
-            }
-            _ => None,
-        })
-    };
-    let (from, _, step) = ray(&|claim, _| claim == stray.claim)?;
-    let (other, held, _) = ray(&|claim, at| at == step && claim != stray.claim)?;
-    let along = direction(construction, stray.by)?;
-    let along = if stray.square { [-along[1], along[0]] } else { along };
-    let across = claimed(construction, held)?;
-    let sine = along[0] * across[1] - along[1] * across[0];
-    if sine.abs() < FLAT {
-        return None;
-    }
-    let apart = [other[0] - from[0], other[1] - from[1]];
-    let far = (apart[0] * across[1] - apart[1] * across[0]) / sine;
-    let label = construction.steps.get(step)?.acts.iter().find_map(|act| match *act {
-        Act::MarkMeet { label, .. } => Some(label),
-        _ => None,
-    })?;
-    let Label::Image { point, link: None } = label else { return None };
-    let at = [from[0] + far * along[0], from[1] + far * along[1]];
-    Some(Departure::Image { order: stray.order, point, at })
 }
 
 /// The length of a vector, the size of a number.

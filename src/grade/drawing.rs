@@ -48,6 +48,9 @@ const DOUBT: f64 = 0.1;
 /// Marks that lie nearer to each other (mm) are one.
 const SAME_MARK: f64 = 0.3;
 
+/// Dots whose middles lie nearer (mm) were drawn about one another.
+const ONE_DOT: f64 = 0.01;
+
 /// Ends of lines that a careful hand leaves apart (mm), each a fifth of a millimetre off in both directions: one letter
 /// beside them names their middle.
 const PENCIL: f64 = 0.6;
@@ -63,6 +66,8 @@ struct Letter {
     /// As the text names its point; several where it says so, as in "b, c".
     names: Vec<String>,
     order: Order,
+    /// A joint's letter in the layer of a polygon.
+    capital: bool,
     /// The middle of its ink, about.
     middle: Point,
     /// Millimetres.
@@ -87,6 +92,8 @@ struct Mark {
     at: Point,
     /// It has a dot.
     dot: bool,
+    /// So many dots stand there each in a place of its own, if by a hair.
+    dots: usize,
     /// So many lines end or bend here.
     lines: usize,
 }
@@ -131,6 +138,13 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Drawing> {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
     let (marks, mut letters, own) = read_all(root, &Names::new(scene))?;
+    // Whoever letters his polygon A, B means its images; beside small letters capitals are remarks.
+    let small: Vec<Order> = letters
+        .iter()
+        .filter(|letter| !letter.capital && letter.names.iter().any(|name| name != "o"))
+        .map(|letter| letter.order)
+        .collect();
+    letters.retain(|letter| !letter.capital || !small.contains(&letter.order));
     let leaders = marks.leaders.clone();
     let marks = marks.gathered();
     let mut figures: Vec<Figure> = own.into_iter().map(|own| (own.points, Some(own.si_per_mm))).collect();
@@ -264,6 +278,11 @@ fn matched(
                 let what = format!("`{}` stands beside a mark of another letter", letter.text());
                 return Err(Fault::new(letter.at, what).mend("give each a dot of its own"));
             };
+            // As many dots as letters: which of them is whose makes no difference.
+            let beside_it = costs.iter().filter(|own| own.first().is_some_and(|(near, _)| *near == mark));
+            if beside_it.count() <= marks[mark].dots {
+                return Ok((marks[mark].at, None));
+            }
             return Ok((marks[mark].at, Some(letters[rival].text().to_owned())));
         };
         let own = cost(index, mark).unwrap_or(0.0);
@@ -335,9 +354,12 @@ impl Marks {
             let one = near.into_iter().find(|&known| marks[known].at.distance(at) <= SAME_MARK);
             let index = one.unwrap_or_else(|| {
                 cells.entry(cell).or_default().push(marks.len());
-                marks.push(Mark { at, dot: false, lines: 0 });
+                marks.push(Mark { at, dot: false, dots: 0, lines: 0 });
                 marks.len() - 1
             });
+            // A ring about a dot is one with it.
+            let apart = marks[index].dots == 0 || marks[index].at.distance(at) > ONE_DOT;
+            marks[index].dots += usize::from(dot && apart);
             marks[index].dot |= dot;
             marks[index].lines += usize::from(!dot);
         }
@@ -589,11 +611,23 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<Option<L
     let several: Vec<&str> = whole.split(',').collect();
     let read: Option<Vec<(String, Order)>> =
         several.iter().map(|part| named(part, around.layer, names)).collect();
+    let as_capital = || {
+        let image = around.layer.filter(|layer| *layer != Order::Position)?;
+        let of_joint = names.points.contains(whole.as_str()) || whole == "O";
+        of_joint.then(|| named(&whole.to_lowercase(), Some(image), names))?
+    };
+    let mut capital = false;
     let read = match read {
         Some(read) if several.len() > 1 => read,
         _ => match named(&whole, around.layer, names) {
             Some(read) => vec![read],
-            None => return Ok(None),
+            None => match as_capital() {
+                Some(read) => {
+                    capital = true;
+                    vec![read]
+                }
+                None => return Ok(None),
+            },
         },
     };
     let Some(order) = read.first().map(|(_, order)| *order) else { return Ok(None) };
@@ -621,6 +655,7 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<Option<L
     Ok(seen.then(|| Letter {
         names: read.into_iter().map(|(name, _)| name).collect(),
         order,
+        capital,
         middle,
         height,
         at: text.range().start,

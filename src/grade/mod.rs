@@ -29,6 +29,7 @@ mod class;
 mod csv;
 mod digits;
 mod drawing;
+mod feet;
 mod fitted;
 mod force_mistakes;
 mod judge;
@@ -37,6 +38,7 @@ mod mean_line;
 mod misread;
 mod mistakes;
 mod nearest;
+mod own;
 mod page;
 mod phrase;
 mod report;
@@ -163,7 +165,6 @@ pub fn grade_with_overlay(
     let amiss = |index: &usize| matches!(judgement.verdicts[*index], Verdict::Wrong | Verdict::Consistent);
     let (mut own, mut spots) = (Own::default(), vec![None; judgement.verdicts.len()]);
     for index in (0..judgement.verdicts.len()).filter(amiss) {
-        own.vectors.extend(case.handed_in(index, student));
         if let Some((quantity, at, right)) = case.place_handed_in(index) {
             own.places.push((quantity, at, right));
             spots[index] = Some(Spot::In(DiagramKind::Skeleton, at));
@@ -175,6 +176,8 @@ pub fn grade_with_overlay(
         }
     }
     let are_right = (0..judgement.verdicts.len()).filter(|&i| judgement.verdicts[i] == Verdict::Right);
+    let figures = own::Figures::new(&case, student, &judgement.verdicts);
+    figures.add_to(&mut own);
     own.right_forces = are_right.flat_map(|index| case.force_handed_in(index)).collect();
     // What is right as far as it can be measured stands elsewhere all the same: of two centres interchanged both are shown.
     let off = |index: &usize| {
@@ -201,16 +204,15 @@ pub fn grade_with_overlay(
         .iter()
         .zip(&named)
         .filter_map(|(fault, text)| {
-            let own = || case.handed_in(fault.first, student).map(|own| Spot::In(own.diagram, own.to));
-            let place =
-                || case.place_of(fault.first, student).map(|(order, at)| Spot::In(order.diagram(), at));
-            let at = spots[fault.first].or_else(own).or_else(place)?;
+            let place = || figures.place(fault.first).map(|(order, at)| Spot::In(order.diagram(), at));
+            let at = spots[fault.first].or_else(place)?;
             Some(crate::sheet::Fault { at, text })
         })
         .collect();
     // What is wrong may show nowhere in a figure: nobody looks for it there.
     let is_wrong = judgement.verdicts.contains(&Verdict::Wrong);
-    let nothing = own.vectors.is_empty() && own.places.is_empty() && own.forces.is_empty();
+    let nothing =
+        own.vectors.is_empty() && own.points.is_empty() && own.places.is_empty() && own.forces.is_empty();
     if is_wrong
         && faults.is_empty()
         && nothing

@@ -420,7 +420,7 @@ fn graded(
     let observation = &case.observations[index];
     let si = observation.unit.si;
     let truth = case.truth[index].clone().unwrap_or_default();
-    let (given, magnitude_only) = match observation.given {
+    let (given, magnitude_only) = match observation.written.unwrap_or(observation.given) {
         Given::Magnitude(size) | Given::Drawn(size) => (vec![size], true),
         Given::Signed(value) => (vec![value], false),
         Given::Vector(vector) => (vector.to_vec(), false),

@@ -478,6 +478,7 @@ fn stroke(pen: Pen) -> String {
         Dash::Solid => width,
         Dash::Dashed => format!("{width}, linkgram dashed"),
         Dash::Chain => format!("{width}, linkgram chain"),
+        Dash::Dotted => format!("{width}, densely dotted"),
     }
 }
 

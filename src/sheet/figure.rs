@@ -156,6 +156,8 @@ pub enum Dash {
     Dashed,
     /// Long dash, dot: axes, centre lines, pitch circles.
     Chain,
+    /// Dots: what follows from something that is dashed.
+    Dotted,
 }
 
 impl Dash {
@@ -166,6 +168,7 @@ impl Dash {
             Self::Solid => None,
             Self::Dashed => Some(&[2.0, 1.0]),
             Self::Chain => Some(&[5.0, 0.9, 0.4, 0.9]),
+            Self::Dotted => Some(&[0.5, 0.9]),
         }
     }
 }

@@ -73,7 +73,7 @@ pub use compose::{
 };
 pub use controlling::controlling_force;
 pub use figure::Figure;
-pub use overlay::{Fault, HandedIn, Own, OwnForce, Spot, overlay, strips};
+pub use overlay::{Fault, HandedIn, Own, OwnForce, OwnPoint, Spot, overlay, strips};
 pub use remark::{larger_paper, left_out, outgrown, unconfirmed, unnamed};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;

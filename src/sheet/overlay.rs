@@ -67,6 +67,10 @@ pub enum Spot {
 pub struct Own {
     /// Vectors of the polygons.
     pub vectors: Vec<HandedIn>,
+    /// Points of the polygons.
+    pub points: Vec<OwnPoint>,
+    /// Polygons whose points were handed in: nothing else in them is known to be the student's.
+    pub drawn: Vec<DiagramKind>,
     /// Centres and joints on the skeleton, mm: the student's, and the right one.
     pub places: Vec<(Quantity, Mm2, Mm2)>,
     /// Forces of the balance.
@@ -97,6 +101,21 @@ pub struct HandedIn {
     pub to: Mm2,
     /// The name of its head.
     pub head: Label,
+    /// Whether it is one of those that are drawn thick.
+    pub whole: bool,
+}
+
+/// A point of a polygon as the student handed it in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnPoint {
+    /// In which polygon.
+    pub diagram: DiagramKind,
+    /// What it is.
+    pub label: Label,
+    /// As the student letters it.
+    pub letter: Label,
+    /// Where it stands, mm from the pole, y up.
+    pub at: Mm2,
 }
 
 /// So many times as far from the pole as the farthest image of the right polygon stands what is still drawn of the
@@ -114,6 +133,8 @@ const TWICE: f64 = 1.5;
 const DOT: f64 = 1.2;
 /// It stands at least so far, mm.
 const LEAST_REACH: f64 = 20.0;
+/// A right polygon is drawn at least so far from its pole, mm: beside one that is many times too large it would be a speck.
+const TO_BE_SEEN: f64 = 45.0;
 
 /// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
 /// they are known to be drawn, and vectors as they were handed in. Before them the skeleton with the places that he has
@@ -137,6 +158,10 @@ pub fn overlay(
     for vector in &mut own.vectors {
         vector.head = foot_told_apart(vector, (right, student), &notation);
     }
+    for point in &mut own.points {
+        [point.label, point.letter] =
+            [point.label, point.letter].map(|label| printed(right, &notation, (point.diagram, label)));
+    }
     let [right, student] = [right, student].map(|one| told_apart(one, &notation));
     let drawings = Drawings { right: &right, student: &student, own: &own, faults, notation };
     let blocks = |room: Option<(f64, f64)>| drawings.blocks(scene, balance, room);
@@ -145,7 +170,9 @@ pub fn overlay(
         None => arranged(blocks(None)),
     };
     if y > 0.0 {
-        let legend = legend(y, !faults.is_empty(), words);
+        let mut follows = false;
+        root.walk(&mut |node| follows |= is_dotted(node));
+        let legend = legend(y, (follows, !faults.is_empty()), words);
         match root.children.last_mut() {
             // With the last strip.
             Some(Node::Group(last)) if left.is_some() => last.group(legend),
@@ -228,9 +255,12 @@ impl Drawings<'_> {
         }
         for polygon in &self.right.diagrams {
             let here = self.told(|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
-            let (arrows, circles, beyond) = self.over(polygon, &here);
-            let panel = fitted(room, |times| self.polygon(polygon.kind, (&arrows, &circles), times));
-            let note = beyond.then_some(self.notation.words.overlay_beyond);
+            // Drawn at the student's scale what is right may be a speck.
+            let larger = (TO_BE_SEEN / extent(polygon).max(f64::MIN_POSITIVE)).max(1.0);
+            let larger = if extent(polygon) > 0.0 { larger } else { 1.0 };
+            let over = self.over((polygon, larger), &here);
+            let panel = fitted(room, |times| self.polygon((polygon.kind, larger), &over, times));
+            let note = over.beyond.then_some(self.notation.words.overlay_beyond);
             blocks.push(captioned(panel, (&here, note), several));
         }
         for (index, body) in balance.iter().flat_map(|balance| balance.bodies.iter().enumerate()) {
@@ -274,88 +304,150 @@ impl Drawings<'_> {
         })
     }
 
-    /// What of the student's is drawn over a polygon, where it is circled, and whether it leaves the figure.
-    fn over(&self, polygon: &Diagram, faults: &[(usize, &Fault<'_>)]) -> (Vec<Arrow>, Circles, bool) {
-        let drawn = self.student.diagram(polygon.kind);
-        let own = || self.own.vectors.iter().filter(|vector| vector.diagram == polygon.kind);
-        let mut arrows: Vec<Arrow> = drawn.map_or_else(Vec::new, |drawn| differing(polygon, drawn));
-        let extent = polygon.images.iter().map(|image| libm::hypot(image.at[0], image.at[1]));
-        let extent = extent.fold(LEAST_REACH, f64::max);
+    /// What of the student's is drawn over a polygon that is drawn so many times larger.
+    fn over(&self, (polygon, larger): (&Diagram, f64), faults: &[(usize, &Fault<'_>)]) -> Over {
+        let scaled = |at: Mm2| at.map(|mm| larger * mm);
+        let enlarged = |diagram: &Diagram| {
+            let mut diagram = diagram.clone();
+            diagram.images.iter_mut().for_each(|image| image.at = scaled(image.at));
+            let ends = diagram.vectors.iter_mut().flat_map(|vector| [&mut vector.from, &mut vector.to]);
+            ends.for_each(|end| *end = scaled(*end));
+            diagram
+        };
+        let is_drawn = self.own.drawn.contains(&polygon.kind);
+        let drawn = self.student.diagram(polygon.kind).filter(|_| !is_drawn).map(enlarged);
+        let polygon = &enlarged(polygon);
+        let own: Vec<HandedIn> =
+            self.own.vectors.iter().copied().filter(|own| own.diagram == polygon.kind).collect();
+        let own: Vec<HandedIn> = own
+            .into_iter()
+            .map(|own| HandedIn { from: scaled(own.from), to: scaled(own.to), ..own })
+            .collect();
+        let points = self.own.points.iter().filter(|point| point.diagram == polygon.kind);
+        let mut points: Vec<OwnPoint> =
+            points.map(|point| OwnPoint { at: scaled(point.at), ..*point }).collect();
+        let mut arrows: Vec<Arrow> = drawn.as_ref().map_or_else(Vec::new, |drawn| differing(polygon, drawn));
+        let extent = extent(polygon).max(LEAST_REACH);
         let reach = FARTHEST * extent;
         let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= TWICE;
-        for vector in own() {
-            // What is handed in as a value and as a point of the drawing is drawn once.
-            let known = |(from, to, head, _): &Arrow| {
-                *head == vector.head && near(*from, vector.from) && near(*to, vector.to)
-            };
-            if !arrows.iter().any(known) {
-                arrows.push((vector.from, vector.to, vector.head, true));
-            }
-        }
-        // Where a point that was handed in stands elsewhere than it would follow, he drew something else: what would follow
-        // is not his.
-        let elsewhere = |point: PointId| {
-            own().any(|vector| {
-                let from_pole = libm::hypot(vector.from[0], vector.from[1]) == 0.0;
-                let follows =
-                    drawn.and_then(|drawn| drawn.images.iter().rev().find(|one| one.label == vector.head));
-                from_pole
-                    && image_of(vector.head) == Some(point)
-                    && follows.is_some_and(|one| !near(one.at, vector.to))
+        // Where he has something elsewhere than it would follow, he drew something else: what would follow is not his.
+        let elsewhere = |label: Label| {
+            own.iter().any(|vector| {
+                let follows = drawn.as_ref().and_then(|drawn| at_last(drawn, vector.head));
+                let of_one_point = matches!(vector.head, Label::Image { .. })
+                    && image_of(vector.head).is_some()
+                    && image_of(vector.head) == image_of(label);
+                (of_one_point || vector.head == label) && follows.is_some_and(|at| !near(at, vector.to))
             })
         };
-        arrows.retain(|(from, to, head, _)| {
-            let handed_in = |vector: &HandedIn| (vector.from, vector.to, vector.head) == (*from, *to, *head);
-            own().any(handed_in) || !image_of(*head).is_some_and(elsewhere)
-        });
+        arrows.retain(|arrow| !elsewhere(arrow.head) && !elsewhere(arrow.tail));
+        for vector in &own {
+            // What is handed in as a value and as a point of the drawing is drawn once.
+            let known = |arrow: &Arrow| {
+                arrow.head == vector.head && near(arrow.from, vector.from) && near(arrow.to, vector.to)
+            };
+            let same = arrows.iter_mut().find(|arrow| known(arrow));
+            if let Some(same) = same {
+                same.own = true;
+            } else {
+                let HandedIn { from, to, head, whole, .. } = *vector;
+                arrows.push(Arrow { from, to, tail: Label::Pole, head, whole, own: true, named: true });
+            }
+        }
         // What stands metres away would leave nothing else to be seen: it is drawn as far as the border, which then lies about
         // what is right and what of his lies within reach.
         let far = |at: Mm2| libm::hypot(at[0], at[1]);
-        let beyond = arrows.iter().any(|(from, to, ..)| far(*from).max(far(*to)) > reach);
-        arrows.retain(|(from, ..)| far(*from) <= reach);
-        let ends = arrows.iter().flat_map(|(from, to, ..)| [far(*from), far(*to)]);
-        let within = ends.filter(|far| *far <= reach).fold(BORDER * extent, f64::max);
+        let beyond = arrows.iter().any(|arrow| far(arrow.from).max(far(arrow.to)) > reach);
+        let within = arrows.iter().flat_map(|arrow| [far(arrow.from), far(arrow.to)]);
+        let within = within.filter(|far| *far <= reach).fold(BORDER * extent, f64::max);
         let reach = if beyond { within } else { reach };
-        arrows.iter_mut().for_each(|(from, to, ..)| *to = as_far_as(reach, *from, *to));
+        arrows.retain(|arrow| far(arrow.from) <= reach);
+        // One from the pole first: what it leads to is named at the border, where it is circled, and at no other line to it.
+        arrows.sort_by_key(|arrow| far(arrow.from) > 0.0);
+        let mut gone: Vec<(Label, Mm2)> = Vec::new();
+        for arrow in &mut arrows {
+            let end = arrow.to;
+            arrow.to = as_far_as(reach, arrow.from, end);
+            if arrow.to != end {
+                arrow.named = !gone.iter().any(|(label, at)| *label == arrow.head && near(*at, end));
+                gone.push((arrow.head, end));
+            }
+        }
+        let onto_border = |at: Mm2| if far(at) > reach { at.map(|mm| mm * reach / far(at)) } else { at };
+        // A point beyond the border has its name at the end of what leads to it.
+        points.retain(|point| far(point.at) <= reach);
         let circles = faults.iter().filter_map(|(number, fault)| {
             let Spot::In(_, at) = fault.at else { return None };
+            let at = scaled(at);
             // A vector that ends where it should shows its fault where it begins.
             let ends_rightly = |vector: &&HandedIn| {
                 let image = polygon.images.iter().find(|image| image.label == vector.head);
                 vector.to == at && image.is_some_and(|image| near(image.at, at)) && vector.from != [0.0; 2]
             };
-            let at = own().find(ends_rightly).map_or(at, |vector| vector.from);
-            let far = libm::hypot(at[0], at[1]);
-            let at = if far > reach { at.map(|mm| mm * reach / far) } else { at };
-            Some((at, self.numbered(*number)))
+            let at = own.iter().find(ends_rightly).map_or(at, |vector| vector.from);
+            Some((onto_border(at), self.numbered(*number)))
         });
-        (arrows, circles.collect(), beyond)
+        Over { circles: circles.collect(), arrows, points, beyond }
     }
 
-    /// A polygon, so many times as large, with what is laid over it.
-    fn polygon(&self, kind: DiagramKind, (arrows, circles): (&[Arrow], &Circles), times: f64) -> Group {
+    /// A polygon, so many times larger, and so many times as large as its room allows, with what is laid over it.
+    fn polygon(&self, (kind, larger): (DiagramKind, f64), over: &Over, times: f64) -> Group {
         let mut right = self.right.clone();
-        right.resize(times);
+        right.resize(larger * times);
         let Some(polygon) = right.diagram(kind) else { return Group::default() };
         let scaled = |at: Mm2| at.map(|mm| times * mm);
-        let arrows: Vec<Arrow> = arrows
+        let arrows: Vec<Arrow> = over
+            .arrows
             .iter()
-            .map(|(from, to, head, whole)| (scaled(*from), scaled(*to), *head, *whole))
+            .map(|arrow| Arrow { from: scaled(arrow.from), to: scaled(arrow.to), ..*arrow })
             .collect();
+        let points: Vec<OwnPoint> =
+            over.points.iter().map(|point| OwnPoint { at: scaled(point.at), ..*point }).collect();
         let circles: Vec<(Point, Option<usize>)> =
-            circles.iter().map(|(at, number)| (page(scaled(*at)), *number)).collect();
+            over.circles.iter().map(|(at, number)| (page(scaled(*at)), *number)).collect();
         let mut over = skeleton::Overlay::default();
-        draw_arrows(&mut over, &arrows, (polygon, &circles), &self.notation);
+        draw_arrows(&mut over, (&arrows, &points), (polygon, &circles), &self.notation);
         circle_all(&mut over, &circles);
         polygon::draw_under(polygon, &right.steps, &self.notation, None, &over)
     }
 }
 
-/// A vector of the student: tail, head, name of the head, whether it is one of those that are drawn thick.
-type Arrow = (Mm2, Mm2, Label, bool);
+/// A vector of the student.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Arrow {
+    from: Mm2,
+    to: Mm2,
+    tail: Label,
+    head: Label,
+    /// Whether it is one of those that are drawn thick.
+    whole: bool,
+    /// Whether it was handed in, and does not only follow.
+    own: bool,
+    /// Whether its head is named.
+    named: bool,
+}
 
 /// Where faults are circled, with their numbers.
 type Circles = Vec<(Mm2, Option<usize>)>;
+
+/// What is laid over a polygon.
+struct Over {
+    arrows: Vec<Arrow>,
+    points: Vec<OwnPoint>,
+    circles: Circles,
+    /// Whether something of it leaves the figure.
+    beyond: bool,
+}
+
+/// How far from the pole the farthest image stands, mm.
+fn extent(polygon: &Diagram) -> f64 {
+    polygon.images.iter().map(|image| libm::hypot(image.at[0], image.at[1])).fold(0.0, f64::max)
+}
+
+/// Where a point of a polygon stands: of several of one name the last that was drawn.
+fn at_last(polygon: &Diagram, label: Label) -> Option<Mm2> {
+    polygon.images.iter().rev().find(|image| image.label == label).map(|image| image.at)
+}
 
 /// The name of a vector's head as it is where feet that would share one are told apart.
 fn foot_told_apart(
@@ -473,7 +565,12 @@ fn lowered(text: &str) -> Rich {
     let mut pieces = text.split('_');
     let first = Rich::upright(pieces.next().unwrap_or_default());
     pieces.fold(first, |rich, piece| {
-        let end = piece.find(|c: char| !c.is_alphanumeric() && c != '′').unwrap_or(piece.len());
+        // Of a′_4,1 both numbers.
+        let end = |(at, c): (usize, char)| {
+            let goes_on = || piece[at + c.len_utf8()..].starts_with(|next: char| next.is_ascii_digit());
+            !(c.is_alphanumeric() || c == '′' || c == ',' && goes_on())
+        };
+        let end = piece.char_indices().find(|one| end(*one)).map_or(piece.len(), |(at, _)| at);
         let (index, after) = piece.split_at(end);
         rich.sub(index).up(after)
     })
@@ -735,18 +832,29 @@ fn differing(right: &Diagram, own: &Diagram) -> Vec<Arrow> {
         !same.is_some_and(|v| !apart(v.from, vector.from) && !apart(v.to, vector.to))
     };
     let whole = |kind| matches!(kind, VectorKind::Absolute | VectorKind::Relative);
-    own.vectors.iter().filter(differs).map(|v| (v.from, v.to, v.head, whole(v.kind))).collect()
+    let arrow = |v: &crate::graphical::construction::Vector| Arrow {
+        from: v.from,
+        to: v.to,
+        tail: v.tail,
+        head: v.head,
+        whole: whole(v.kind),
+        own: false,
+        named: true,
+    };
+    own.vectors.iter().filter(differs).map(arrow).collect()
 }
 
 fn draw_arrows(
     over: &mut skeleton::Overlay,
-    arrows: &[Arrow],
+    (arrows, points): (&[Arrow], &[OwnPoint]),
     (right, circles): (&Diagram, &[(Point, Option<usize>)]),
     notation: &Notation<'_>,
 ) {
+    let near = |a: Mm2, b: Mm2, by: f64| libm::hypot(a[0] - b[0], a[1] - b[1]) <= by;
     let mut group = Group::new("student");
-    for &(from, to, _, whole) in arrows {
-        let pen = Pen { width: if whole { THIN } else { FINE }, dash: Dash::Dashed };
+    for &Arrow { from, to, whole, own, .. } in arrows {
+        let dash = if own { Dash::Dashed } else { Dash::Dotted };
+        let pen = Pen { width: if whole { THIN } else { FINE }, dash };
         let (from, to) = (page(from), page(to));
         let way = to - from;
         if way.hypot() <= 0.0 {
@@ -755,19 +863,31 @@ fn draw_arrows(
         group.mark(Mark::stroke(Shape::Line(from, to), pen).class("student"));
         group.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
     }
+    // A point to which nothing of his leads is a dot.
+    for point in points {
+        let touches = |arrow: &Arrow| near(arrow.from, point.at, SAME) || near(arrow.to, point.at, SAME);
+        if !arrows.iter().any(touches) {
+            let dot = Shape::Circle { centre: page(point.at), radius: DOT / 2.0 };
+            group.mark(Mark::stroke(dot, Pen::solid(THIN)).class("student"));
+        }
+    }
     over.ink.group(group);
-    let near = |a: Mm2, b: Mm2, by: f64| libm::hypot(a[0] - b[0], a[1] - b[1]) <= by;
-    // The names at each place, once; what stands where it should is named there already.
+    // The names at each place, once: of his points as he letters them, then of what follows; what stands where it should is
+    // named there already.
     let mut named: Vec<(Mm2, Vec<Label>)> = Vec::new();
-    for &(_, to, label, _) in arrows {
-        let stands = right.images.iter().any(|image| image.label == label && near(image.at, to, TWICE));
-        let known = named.iter().any(|(at, all)| all.contains(&label) && near(*at, to, TWICE));
+    let letters = points.iter().map(|point| (point.at, point.label, point.letter));
+    let heads = arrows.iter().filter(|arrow| arrow.named).map(|arrow| (arrow.to, arrow.head, arrow.head));
+    for (at, label, letter) in letters.chain(heads) {
+        let stands = right.images.iter().any(|image| image.label == label && near(image.at, at, TWICE));
+        let lettered = |point: &OwnPoint| point.label == label && near(point.at, at, TWICE);
+        let letter = points.iter().find(|point| lettered(point)).map_or(letter, |point| point.letter);
+        let known = named.iter().any(|(there, all)| all.contains(&letter) && near(*there, at, TWICE));
         if label == Label::Pole || stands || known {
             continue;
         }
-        match named.iter_mut().find(|(at, _)| near(*at, to, SAME)) {
-            Some((_, all)) => all.push(label),
-            None => named.push((to, vec![label])),
+        match named.iter_mut().find(|(there, _)| near(*there, at, SAME)) {
+            Some((_, all)) => all.push(letter),
+            None => named.push((at, vec![letter])),
         }
     }
     for (at, labels) in named {
@@ -778,8 +898,13 @@ fn draw_arrows(
     }
 }
 
+/// Whether something is a dotted line.
+fn is_dotted(node: &Node) -> bool {
+    matches!(node, Node::Mark(Mark { pen: Some(Pen { dash: Dash::Dotted, .. }), .. }))
+}
+
 /// What the lines mean.
-fn legend(y: f64, faults: bool, own: &Words) -> Group {
+fn legend(y: f64, (follows, faults): (bool, bool), own: &Words) -> Group {
     let mut legend = Group::new("legend");
     let mut x = 0.0;
     let mut entry = |legend: &mut Group, text: &str, dash: Dash| {
@@ -792,6 +917,9 @@ fn legend(y: f64, faults: bool, own: &Words) -> Group {
     };
     entry(&mut legend, own.overlay_right, Dash::Solid);
     entry(&mut legend, own.overlay_yours, Dash::Dashed);
+    if follows {
+        entry(&mut legend, own.overlay_follows, Dash::Dotted);
+    }
     if faults {
         let centre = Point::new(x + 2.5, y);
         legend.mark(Mark::stroke(Shape::Circle { centre, radius: 2.5 }, Pen::solid(THIN)));

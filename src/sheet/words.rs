@@ -582,6 +582,8 @@ pub struct Words {
     pub overlay: &'static str,
     pub overlay_right: &'static str,
     pub overlay_yours: &'static str,
+    /// What was not handed in, and follows from what was.
+    pub overlay_follows: &'static str,
     /// Below a polygon of which something of the student's lies beyond the figure.
     pub overlay_beyond: &'static str,
     pub overlay_fault: &'static str,
@@ -1059,6 +1061,7 @@ const ENGLISH: Words = Words {
     overlay: "overlay",
     overlay_right: "right",
     overlay_yours: "yours, letters with *",
+    overlay_follows: "what follows from yours",
     overlay_beyond: "What of yours leaves this figure is drawn to its border.",
     overlay_fault: "where a fault shows",
     count_rotations: "rotations and torques counter-clockwise positive",
@@ -1535,6 +1538,7 @@ const ARABIC: Words = Words {
     overlay: "مقارنة",
     overlay_right: "الصحيح",
     overlay_yours: "رسمك، والأحرف مع *",
+    overlay_follows: "ما ينتج من رسمك",
     overlay_beyond: "ما يخرج من رسمك عن هذا الشكل مرسوم حتى حده.",
     overlay_fault: "موضع الخطأ",
     count_rotations: "الدوران والعزم موجبان بعكس عقارب الساعة",
@@ -2059,6 +2063,7 @@ const PERSIAN: Words = Words {
     overlay: "مقایسه",
     overlay_right: "درست",
     overlay_yours: "رسم شما، حروف با *",
+    overlay_follows: "آنچه از رسم شما نتیجه می‌شود",
     overlay_beyond: "آنچه از رسم شما از این شکل بیرون می‌رود تا مرز آن کشیده شده است.",
     overlay_fault: "جای اشتباه",
     count_rotations: "چرخش‌ها و گشتاورها پادساعتگرد مثبت‌اند",
