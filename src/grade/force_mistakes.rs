@@ -236,6 +236,14 @@ impl List<'_, '_> {
                         .map(|mass| Departure::Weight { link: Some(mass.link), factor })
                         .collect();
                     self.add(kind, &at, None, price, Change::drawn(inertia.clone()));
+                    // The number alone: all that follows was found without it, or rightly.
+                    if let [only] = group[..] {
+                        let of = Quantity::Force(Force::Vector(Action::Inertia(only.link)), Share::Total);
+                        let twist = Twist::scaled(factor);
+                        let read = Change::read(Misreading::Twisted { of: Which::One(of), twist });
+                        let name = self.name(&of);
+                        self.add(kind, &name, None, price + 1.0, read);
+                    }
                     // The number of a mass, W/g, drawn as a weight.
                     if acts && weight {
                         let lighter =

@@ -106,10 +106,20 @@ const UNKNOWN: f64 = 12.0;
 const WEIGHED: usize = 24;
 /// Draughtsmen for the tolerances of one hypothesis.
 const FEW: u64 = 24;
+/// Two vectors are as long as each other within this part.
+const AS_LONG: f64 = 0.05;
 /// Whatever explains an answer brings it nearer by as many tolerances.
 const MOVES: f64 = 0.1;
 /// So many of the closest explanations are asked what follows from them by other ways.
 const CREDITED: usize = 4;
+/// By no more than this the answers speak for one of many explanations against one that has no choice.
+const CHOICE: f64 = 4.0;
+/// An answer that is right was not moved by so many of its rooms.
+const MOVED: f64 = 2.0;
+/// An answer that misses by no more than so many of its rooms may be a slip.
+const HARDLY_MISSED: f64 = 2.0;
+/// What meets all answers misses them by no more than this, root of the mean square in tolerances.
+const MEETS_ALL: f64 = 0.85;
 /// An answer that follows by another way costs an explanation no more than this.
 const FOLLOWING: f64 = 3.0;
 /// How many mistakes are named at one fault.
@@ -215,7 +225,7 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
             }
         }
         let unexplained = faults.iter().any(|fault: &Fault| fault.mistakes.is_empty());
-        let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first, unexplained };
+        let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first, faults: &faults, unexplained };
         let (mut mistakes, mut change) = judge.explain();
         // What shows first may follow from an answer that the solution finds later.
         let cause = judge.cause(&change);
@@ -252,7 +262,9 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
                 (true, true) => shown && faults.last().is_some_and(Fault::leaves_out),
                 (true, false) => {
                     let known = faults.last().is_some_and(|fault| !fault.is_open());
-                    shown && known && case.meets(index, numbers)
+                    // A line may leave nothing of a vector.
+                    let nothing = size(numbers) <= case.rooms[index].by;
+                    shown && known && (nothing || case.meets(index, numbers))
                 }
                 (false, _) => case.tells(index, numbers, allowed),
             };
@@ -276,7 +288,36 @@ fn is_made_again(fault: &Fault, mistakes: &[Mistake]) -> bool {
     let (Some(before), Some(now)) = (fault.mistakes.first(), mistakes.first()) else { return false };
     let alone = before.also.is_none() && now.also.is_none();
     let close = before.residual <= CLOSE && now.residual <= CLOSE;
-    alone && close && before.kind == now.kind && before.at == now.at && before.how == now.how
+    // A point whose velocity has the wrong sense has its acceleration so too.
+    let of_one_point = |one: &Phrase| {
+        let of =
+            |name: &str| name.strip_prefix(['v', 'a']).filter(|of| of.starts_with('(')).map(str::to_owned);
+        before.kind == Kind::SenseReversed && of(&before.at).is_some() && of(&before.at) == of(one)
+    };
+    let same = |one: &Phrase| {
+        before.at == *one || of_one_point(one) || is_one_misconception(now.kind, now.how.as_ref())
+    };
+    alone && close && before.kind == now.kind && before.how == now.how && same(&now.at)
+}
+
+/// Whether a mistake that is told so is one and the same wherever it is made: by the same wrong line in both polygons, by one
+/// wrong formula of several links.
+fn is_one_misconception(kind: Kind, how: Option<&Phrase>) -> bool {
+    match kind {
+        Kind::NormalNotSquared
+        | Kind::DiameterForRadius
+        | Kind::CmAsMm
+        | Kind::InchAsFoot
+        | Kind::MetreMixed
+        | Kind::RadAsRpm
+        | Kind::RevAsRad
+        | Kind::DegAsRad => true,
+        Kind::WrongLine | Kind::PerpendicularForParallel | Kind::WrongFormula => how.is_some(),
+        Kind::RateFromWrongVector => {
+            how == Some(&say!("from the whole acceleration, not its tangential part"))
+        }
+        _ => false,
+    }
 }
 
 /// Whether a mistake is said of all that is of a kind.
@@ -306,6 +347,8 @@ struct Judge<'j, 's> {
     verdicts: &'j [Option<Verdict>],
     /// The answer to be explained.
     first: usize,
+    /// What was found before.
+    faults: &'j [Fault],
     /// Whether nothing explains an earlier one.
     unexplained: bool,
 }
@@ -330,6 +373,7 @@ impl Judge<'_, '_> {
             tried.retain(|t| {
                 t.cost < price
                     && !self.contradicts(t)
+                    && !self.is_disproved(t)
                     && !self.harms(t, &standing)
                     && self.has_a_witness(t, &base)
                     && !self.comes_too_late(t)
@@ -351,11 +395,17 @@ impl Judge<'_, '_> {
             tried.extend(explained_by(&fitted::laid_off(self.case, self.drawn, (&open, data))));
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         }
-        // A small slip lies near what one of many mistakes leads to.
+        // A small slip lies near what one of many mistakes leads to; what misses its room by less than another one says nothing
+        // by itself.
         let slip = begins && alone.is_some() && self.is_slight(&seen);
         if slip {
             tried.retain(|one| !self.is_by_chance(one));
         }
+        let hardly = begins && unmoved <= HARDLY_MISSED;
+        if hardly {
+            tried.retain(|one| !(is_one_of_many(&one.hypothesis) && self.mistake(one).explains < 2));
+        }
+        let slip = slip || hardly;
         if tried.is_empty() && !slip {
             tried = self.after_own_values(&base, &standing);
         }
@@ -410,8 +460,8 @@ impl Judge<'_, '_> {
 
     /// Whether a mistake that leads near a slight slip is one of so many that one does by chance.
     fn is_by_chance(&self, tried: &Tried) -> bool {
-        let Hypothesis { kind, how, .. } = &tried.hypothesis;
-        let met = if how.is_some() || one_of_many(*kind) { MET_BY_ONE_OF_MANY } else { MET };
+        let of_many = tried.hypothesis.how.is_some() || is_one_of_many(&tried.hypothesis);
+        let met = if of_many { MET_BY_ONE_OF_MANY } else { MET };
         self.mistake(tried).residual > met
     }
 
@@ -485,7 +535,12 @@ impl Judge<'_, '_> {
     /// What one of the closest explanations leaves open may follow from what it explains by another way: that is counted
     /// for it, before one that comes near more answers and meets none.
     fn credit(&self, tried: &mut [Tried]) {
-        if tried.first().is_none_or(|best| self.mistake(best).residual <= CLOSE) {
+        // Nothing is nearer to all that is open than what meets all of it.
+        let meets_all = |best: &Tried| {
+            let open = (0..self.verdicts.len()).filter(|&i| self.verdicts[i].is_none());
+            open.into_iter().all(|i| best.misses[i] <= EXPLAINED) && self.mistake(best).residual <= MEETS_ALL
+        };
+        if tried.first().is_none_or(|best| self.mistake(best).residual <= CLOSE || meets_all(best)) {
             return;
         }
         let close = tried.iter_mut().filter(|one| self.mistake(one).residual <= CLOSE);
@@ -514,7 +569,13 @@ impl Judge<'_, '_> {
         let Some(best) = tried.first() else { return };
         let (cost, Mistake { explains, residual, .. }) = (best.cost, self.mistake(best));
         let name = &self.case.observations[self.first].name;
-        let rarity = |one: &Tried| price_of(&one.hypothesis, name);
+        // What was done once is done again.
+        let known = |one: &Tried| {
+            let mistake = [self.mistake(one)];
+            self.faults.iter().any(|fault| is_made_again(fault, &mistake))
+        };
+        let rarity =
+            |one: &Tried| if known(one) { f64::NEG_INFINITY } else { price_of(&one.hypothesis, name) };
         let undecided = |one: &Tried| {
             let mistake = self.mistake(one);
             one.cost <= cost + UNDECIDED
@@ -522,8 +583,19 @@ impl Judge<'_, '_> {
                 && mistake.residual <= CLOSE.min(residual + AS_CLOSE)
         };
         let mut chosen = 0;
+        // One of many lengths, lines or links comes a hair nearer than what has no choice, and meets all answers as well.
+        let of_many = |one: &Tried| is_one_of_many(&one.hypothesis);
+        let without_choice = |one: &Tried| {
+            let mistake = self.mistake(one);
+            of_many(best)
+                && !of_many(one)
+                && one.cost <= cost + CHOICE
+                && mistake.explains >= explains
+                && mistake.residual <= MEETS_ALL
+        };
         for (place, one) in tried.iter().enumerate().skip(1) {
-            if undecided(one) && rarity(one) < rarity(&tried[chosen]) {
+            let chosen_by = rarity(one) < rarity(&tried[chosen]) || of_many(&tried[chosen]) && !of_many(one);
+            if (undecided(one) || without_choice(one)) && chosen_by {
                 chosen = place;
             }
         }
@@ -574,6 +646,21 @@ impl Judge<'_, '_> {
         spares || (whole || is_of_all(at)) && (0..tried.misses.len()).any(harmed)
     }
 
+    /// Whether an answer that is right was drawn without the mistake, which would have moved it.
+    fn is_disproved(&self, tried: &Tried) -> bool {
+        if tried.hypothesis.kind.is_of_scale() || !tried.hypothesis.change.redraws() {
+            return false;
+        }
+        let Some(sketch) = self.case.drawn(&tried.change, None) else { return false };
+        let right =
+            |index: &usize| self.verdicts[*index] == Some(Verdict::Right) && !self.case.is_zero(*index);
+        (0..self.verdicts.len()).filter(right).any(|index| {
+            let numbers = self.case.seen_at(index, &sketch, &tried.change);
+            // By the room of what is right: where a drawing is worse than that, it shows all the more.
+            self.case.miss(index, numbers.as_deref(), self.case.rooms[index]) > MOVED
+        })
+    }
+
     /// The answers that follow from what is known of the drawing as it is (`seen`), each with its room there.
     fn standing(&self, seen: &[Option<Vec<f64>>]) -> Vec<(usize, Room)> {
         if !self.verdicts.contains(&Some(Verdict::Consistent)) {
@@ -619,8 +706,24 @@ impl Judge<'_, '_> {
         if coefficient && self.mistake(tried).explains < 2 {
             return false;
         }
+        // Nor one direction a calculator in radians: one of its ways to spoil an angle leads near any.
+        let directions =
+            tried.hypothesis.kind == Kind::CalculatorInRadians && !tried.hypothesis.change.redraws();
+        if directions && self.directions_explained(tried) < 2 {
+            return false;
+        }
         !self.rests_on_one_vector(&tried.hypothesis)
             || self.unknown_by(base, false).is_none_or(|own| tried.cost + UNKNOWN < own.cost)
+    }
+
+    /// How many directions that are not right an explanation meets.
+    fn directions_explained(&self, tried: &Tried) -> usize {
+        let turned = |index: usize| {
+            let [_, turn] = self.case.misses(index, self.case.truth[index].as_deref());
+            self.case.is_vector(index) && turn > self.case.rooms[index].turn
+        };
+        let met = |index: &usize| tried.misses[*index] <= EXPLAINED && self.verdicts[*index].is_none();
+        (0..tried.misses.len()).filter(met).filter(|&index| turned(index)).count()
     }
 
     /// Whether a mistake is a scale factor that was found by fitting it to a single vector.
@@ -693,6 +796,10 @@ impl Judge<'_, '_> {
                         false => self.case.tells(self.first, numbers, rooms[self.first]),
                     }
             });
+            // What is left out leaves nothing, not little, wide as the room about nothing may be.
+            let left = seen[self.first].as_deref().map_or(0.0, size);
+            let little = !nothing && 2.0 * left < self.case.given_size(self.first);
+            let tells = tells && !(little && hypothesis.kind.leaves_out());
             let room = rooms[self.first].by;
             let vanishes =
                 nothing && seen[self.first].as_deref().is_some_and(|numbers| size(numbers) <= room);
@@ -732,8 +839,21 @@ impl Judge<'_, '_> {
             let Some(sketch) = self.case.drawn(&one.change, None) else { continue };
             let seen = self.case.seen(&sketch, &one.change);
             let rooms = self.case.rooms_of(&one.change, &seen, FEW);
+            // What is as long as the right one is read as well, wherever it points.
+            let as_long = |index: usize| {
+                let long = seen[index].as_deref().map(size).zip(self.case.right_size(index));
+                long.is_some_and(|(long, right)| (long / right - 1.0).abs() <= AS_LONG)
+            };
+            let wider = |(index, room): (usize, Room)| {
+                if as_long(index) { room.or(self.case.rooms[index]) } else { room }
+            };
+            let rooms: Vec<Room> = rooms.into_iter().enumerate().map(wider).collect();
             let again = self.counted(one.hypothesis, one.change, &seen, &rooms);
-            let near = !one_of_many(again.hypothesis.kind) || self.leads_to_all(&again);
+            let Hypothesis { kind, how, .. } = &again.hypothesis;
+            // The whole acceleration is one vector, not one of many.
+            let of_many = one_of_many(*kind)
+                && !(*kind == Kind::RateFromWrongVector && is_one_misconception(*kind, how.as_ref()));
+            let near = !of_many || self.leads_to_all(&again);
             if again.misses[self.first] <= EXPLAINED && near {
                 weighed.push(again);
             }
@@ -941,6 +1061,15 @@ fn price_of(hypothesis: &Hypothesis, name: &str) -> f64 {
     let here = if hypothesis.at == *name { AT_HAND } else { 0.0 };
     let forgotten = if hypothesis.kind.leaves_out() { FORGOTTEN } else { 0.0 };
     hypothesis.price - here - forgotten
+}
+
+/// The same, or one of many links or lengths.
+fn is_one_of_many(hypothesis: &Hypothesis) -> bool {
+    let whole = hypothesis.kind == Kind::RateFromWrongVector
+        && is_one_misconception(hypothesis.kind, hypothesis.how.as_ref());
+    !whole
+        && (one_of_many(hypothesis.kind)
+            || matches!(hypothesis.kind, Kind::NormalOfWrongLink | Kind::TangentialWrongLength))
 }
 
 /// Whether a mistake takes one of many lines, letters, vectors or factors, one of which leads near any value: it must

@@ -36,6 +36,8 @@ const UNUSUAL: f64 = 2.0;
 const UNSEEN: f64 = 1.0;
 /// A far-fetched form.
 const FAR: f64 = 4.0;
+/// A unit that explains why numbers are a tenth is likelier than a scale that would.
+const BESIDE_A_UNIT: f64 = -0.25;
 /// A fault that further points of the link have by its image, where the solution calculates these anew.
 const BY_IMAGE: f64 = 0.1;
 
@@ -73,6 +75,12 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     if !case.answers(Order::Velocity) && case.answers(Order::Acceleration) {
         let unseen = |one: &&mut Hypothesis| one.change.departs_in(Order::Velocity);
         list.found.iter_mut().filter(unseen).for_each(|one| one.price += UNSEEN);
+    }
+    // Nor in which sense the input turns.
+    if !case.answers(Order::Velocity) {
+        let input = say!("the input");
+        let turned = |one: &&mut Hypothesis| one.kind == Kind::SenseReversed && one.at == input;
+        list.found.iter_mut().filter(turned).for_each(|one| one.price += UNUSUAL);
     }
     if let Some(sheet) = case.bodies(drawn) {
         // Nobody who answered nothing of the motion shows where its polygons went wrong, nor by which scale he read them: any
@@ -280,7 +288,7 @@ impl<'c> List<'c, '_> {
         }
         for (slide, how, change) in super::misread::offsets(self.case) {
             let at = super::misread::rider(&self.case.mechanism, slide);
-            self.add_so((Kind::GuideMisplaced, how), &at, None, 1.0, Change::of_inputs(change));
+            self.add_so((Kind::GuideMisplaced, how), &at, None, PLAIN, Change::of_inputs(change));
         }
         for (point, how, change) in super::misread::third_points(self.case) {
             let at = self.case.mechanism.point(point).name.clone();
@@ -772,9 +780,10 @@ impl<'c> List<'c, '_> {
             let name = self.case.mechanism.point(point).name.clone();
             let shift =
                 |across: f64, turn: f64| Change::of_inputs(InputChange::Guide { slide, across, turn });
-            self.add_so((Kind::GuideMisplaced, how), &name, None, PLAIN, shift(across, 0.0));
+            // Fitted to where the point stands: what says why it stands there is the likelier one.
+            self.add_so((Kind::GuideMisplaced, how), &name, None, 1.0, shift(across, 0.0));
             if turn.is_finite() {
-                self.add_so((Kind::GuideMisplaced, turned), &name, None, UNUSUAL, shift(0.0, turn));
+                self.add_so((Kind::GuideMisplaced, turned), &name, None, UNUSUAL + 1.0, shift(0.0, turn));
             }
         }
     }
@@ -960,7 +969,9 @@ impl<'c> List<'c, '_> {
         let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
         self.add(kind, say!("the answers' unit"), None, price + UNUSUAL, twisted(Which::AllLinear));
         for order in [Order::Velocity, Order::Acceleration] {
-            self.add(kind, say!("the answers' unit"), None, price + FAR, twisted(Which::Vectors(order)));
+            // Numbers in the scene's unit beside the other one in which they are written.
+            let price = if self.is_written_in_parts(order, factor) { BESIDE_A_UNIT } else { price + FAR };
+            self.add(kind, say!("the answers' unit"), None, price, twisted(Which::Vectors(order)));
         }
         for quantity in self.observed() {
             if !of_forces(&quantity) {
@@ -968,6 +979,19 @@ impl<'c> List<'c, '_> {
                 self.add(kind, &name, None, price + FAR, twisted(Which::One(quantity)));
             }
         }
+    }
+
+    /// Whether all vectors of a polygon that are answered by value are written in a unit that is such a part of the scene's.
+    fn is_written_in_parts(&self, order: Order, part: f64) -> bool {
+        let unit = self.case.unit_of(order).si;
+        let of = |quantity: &Quantity| super::answers::is_vector(quantity) && quantity.order() == order;
+        let vectors = self
+            .case
+            .observations
+            .iter()
+            .filter(|one| !one.on_paper && one.quantity.as_ref().is_some_and(of));
+        let parts: Vec<f64> = vectors.map(|one| one.unit.si / unit).collect();
+        !parts.is_empty() && parts.iter().all(|own| (own / part - 1.0).abs() < SAME_LENGTH)
     }
 
     /// The vectors of a polygon: all, those that are read off it and not calculated before, and of these those that are no
@@ -1196,8 +1220,7 @@ impl<'c> List<'c, '_> {
     // --- vectors of known length ---------------------------------------------------------------
 
     fn laid_off(&mut self) {
-        let turning = self.turning();
-        let lengths = self.lengths();
+        let (turning, lengths, driven) = (self.turning(), self.lengths(), self.driven());
         self.every_normal();
         for (step, act) in self.acts() {
             match *act {
@@ -1216,7 +1239,9 @@ impl<'c> List<'c, '_> {
                     if value > 0.0 && speed != 0.0 {
                         let speed = speed.abs();
                         let twist = Twist::scaled(length / speed);
-                        self.twisted(Kind::NormalNotSquared, &quantity, step, 0.5, twist);
+                        let given = driven.contains(&self.link_of(&quantity, ends));
+                        let price = if given { PLAIN } else { 0.5 };
+                        self.twisted(Kind::NormalNotSquared, &quantity, step, price, twist);
                         self.written(Kind::NormalNotSquared, &quantity, step, twist);
                         for (how, price, factor) in self.squares_forgotten(speed, length) {
                             let (name, twist) = (self.name(&quantity), Twist::scaled(factor));
@@ -1244,13 +1269,24 @@ impl<'c> List<'c, '_> {
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                     if value > 0.0 {
                         let price = 0.25 + one_of(lengths.len()) / 3.0;
-                        for &other in &lengths {
+                        for other in others(&lengths, length) {
                             let twist = Twist::scaled(other / length);
-                            self.twisted(Kind::TangentialWrongLength, &quantity, step, price, twist);
+                            let laid_off = Change::drawn(vec![Departure::LaidOff { quantity, twist }]);
+                            let kind =
+                                (Kind::TangentialWrongLength, say!("with the length {}", self.told(other)));
+                            let name = self.name(&quantity);
+                            self.add_so(kind, &name, Some(step), price, laid_off);
                         }
                     }
                 }
-                Act::Calculate(Calculation::SlipNormal { quantity, .. }) => {
+                Act::Calculate(Calculation::SlipNormal { quantity, speed, radius, .. }) => {
+                    let ways = if speed > 0.0 { self.squares_forgotten(speed, radius) } else { Vec::new() };
+                    for (how, price, factor) in ways {
+                        let (name, twist) = (self.name(&quantity), Twist::scaled(factor));
+                        let kind = (Kind::WrongFormula, how);
+                        let change = Change::drawn(vec![Departure::LaidOff { quantity, twist }]);
+                        self.add_so(kind, &name, Some(step), price, change);
+                    }
                     self.twisted(Kind::NormalMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
@@ -1448,7 +1484,9 @@ impl<'c> List<'c, '_> {
     ) {
         let own = self.link_of(quantity, ends);
         let Some(angle) = self.angle(ends) else { return };
-        let price = one_of(turning.len());
+        // Of what is driven ω is given: nobody looks for another one.
+        let given = if self.driven().contains(&own) { UNUSUAL } else { 0.0 };
+        let price = given + one_of(turning.len());
         for other in turning.iter().filter(|other| other.link != own) {
             let other_speed = other.omega * other.length;
             let sizes = [
@@ -1484,10 +1522,9 @@ impl<'c> List<'c, '_> {
     /// ω² l or V² / l with the own ω or V, and another length.
     fn normal_by_other_lengths(&mut self, quantity: &Quantity, step: usize, length: f64, lengths: &[f64]) {
         let name = self.name(quantity);
-        let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
         let price = 0.5 + one_of(2 * lengths.len()) / 3.0;
-        for other in others {
-            let how = say!("with the length {}", self.told(*other));
+        for other in others(lengths, length) {
+            let how = say!("with the length {}", self.told(other));
             for factor in [other / length, length / other] {
                 let twist = Twist::scaled(factor);
                 let laid_off = Change::drawn(vec![Departure::LaidOff { quantity: *quantity, twist }]);
@@ -1596,6 +1633,12 @@ impl<'c> List<'c, '_> {
                 references.push(Reference::Points(a, b));
             }
         }
+        // The line of the fixed pivots comes last: it is the least likely.
+        let fixed: Vec<PointId> = (0..self.case.mechanism.points.len())
+            .map(PointId)
+            .filter(|point| self.case.mechanism.is_fixed(*point))
+            .collect();
+        let frame = fixed.windows(2).map(|two| Reference::Points(two[0], two[1]));
         let mut rays: Vec<(usize, Order, Claim)> = Vec::new();
         for (number, step) in self.construction.steps.iter().enumerate() {
             let Some(order) = step.diagram.order() else { continue };
@@ -1608,22 +1651,23 @@ impl<'c> List<'c, '_> {
             }
         }
         rays.dedup_by_key(|(_, order, claim)| (*order as u8, *claim));
-        for reference in references {
-            let Some(along) = direction(self.construction, reference) else { continue };
+        let skeleton = self.case.with_this_skeleton(self.construction);
+        for reference in references.into_iter().chain(frame) {
+            let Some(along) = direction(skeleton, reference) else { continue };
             // A line as steep as one before leads to nothing new.
-            if known.iter().all(|(_, other)| apart(along, *other)) {
+            if known.iter().all(|(_, other)| sine(along, *other) > TOLD_APART) {
                 known.push((reference, along));
             }
         }
         let price = UNUSUAL + 1.0 + one_of(2 * known.len()) / 2.0;
         for (step, order, claim) in rays {
-            let Some(right) = claimed(self.construction, claim) else { continue };
+            let Some(right) = claimed(skeleton, claim) else { continue };
             let at = self.sought(step, order);
             for &(by, along) in &known {
                 for square in [false, true] {
                     let drawn = if square { [-along[1], along[0]] } else { along };
                     // Square to its own line is a mistake of another name.
-                    if !apart(drawn, right) || !apart(drawn, [-right[1], right[0]]) {
+                    if !apart(drawn, right) || sine(drawn, [-right[1], right[0]]) <= TOLD_APART {
                         continue;
                     }
                     let how = match square {
@@ -1691,22 +1735,24 @@ impl<'c> List<'c, '_> {
                         let how = say!("from the whole acceleration, not its tangential part");
                         let kind = || (Kind::RateFromWrongVector, how.clone());
                         let drawn = Change::drawn(vec![rate(factor)]);
-                        self.add_so(kind(), &at, Some(step), 0.5, drawn);
+                        self.add_so(kind(), &at, Some(step), 0.25, drawn);
                         let (of, twist) = (Which::One(Quantity::Alpha(link)), Twist::scaled(factor));
                         let read = Change::read(Misreading::Twisted { of, twist });
-                        self.add_so(kind(), &at, Some(step), 0.75, read);
+                        self.add_so(kind(), &at, Some(step), 0.5, read);
                     }
                     if matches!(quantity, Quantity::RelativeTangential(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
                     let price = 0.25 + one_of(lengths.len()) / 3.0;
-                    for &other in &lengths {
+                    for other in others(&lengths, length) {
+                        let how = say!("with the length {}", self.told(other));
+                        let kind = || (Kind::TangentialWrongLength, how.clone());
                         let change = Change::drawn(vec![rate(length / other)]);
-                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
+                        self.add_so(kind(), &at, Some(step), price, change);
                         // Further points by the image: nothing follows from the number.
                         let (of, twist) = (Which::One(Quantity::Alpha(link)), Twist::scaled(length / other));
                         let change = Change::read(Misreading::Twisted { of, twist });
-                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
+                        self.add_so(kind(), &at, Some(step), price, change);
                     }
                 }
                 _ => {}
@@ -1751,16 +1797,19 @@ impl<'c> List<'c, '_> {
                 }
             }
         }
-        let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
-        ways.extend(others.map(|other| (Kind::TangentialWrongLength, None, length / other)));
+        for other in others(lengths, length) {
+            let how = say!("with the length {}", self.told(other));
+            ways.push((Kind::TangentialWrongLength, Some(how), length / other));
+        }
         let price = 1.0 + one_of(ways.len()) / 2.0;
         // The number alone, where all else goes on from the polygon.
         let alone = ways.iter().filter(|(kind, ..)| *kind == Kind::TangentialWrongLength);
-        let alone: Vec<f64> = alone.map(|(.., factor)| *factor).collect();
-        for factor in alone {
+        for (kind, how, factor) in alone.cloned().collect::<Vec<_>>() {
             let twist = Twist::scaled(factor);
             let read = Change::read(Misreading::Twisted { of: Which::One(Quantity::Omega(link)), twist });
-            self.add(Kind::TangentialWrongLength, &at, Some(step), price + 0.25, read);
+            if let Some(how) = how {
+                self.add_so((kind, how), &at, Some(step), price + 0.25, read);
+            }
         }
         let normals: Vec<Quantity> = self
             .acts()
@@ -2156,6 +2205,8 @@ impl<'c> List<'c, '_> {
             }
             // Once more, by millimetres or by centimetres.
             for (factor, more) in [(1.0, 0.0), (10.0, 0.0)] {
+                // By one vector alone any round factor would be told so.
+                let more = if matches!(of, Which::One(_)) { more + FAR } else { more };
                 let twice = Change::read(Misreading::ScaledTwice { of, factor });
                 self.add(Kind::ScaleTwice, &at, None, price + more, twice.clone());
                 let by = |mm: f64| factor / mm;
@@ -2520,8 +2571,16 @@ fn reversed(force: Force) -> Kind {
 
 /// Whether two directions are clear of each other, whichever way each is followed.
 pub(super) fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
-    (a[0] * b[1] - a[1] * b[0]).abs() > 0.07
+    sine(a, b) > 0.07
 }
+
+/// By how much two directions differ, whichever way each is followed.
+fn sine(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] * b[1] - a[1] * b[0]).abs()
+}
+
+/// Two lines of a skeleton that differ by less lead to one place.
+const TOLD_APART: f64 = 0.01;
 
 /// A vector whose part across a link is smaller than this part of it is taken to lie along the link.
 const ALONG: f64 = 0.15;
@@ -2548,6 +2607,11 @@ fn degrees_of(angle: f64) -> String {
 
 /// Two lengths that differ by less than this part are one.
 const SAME_LENGTH: f64 = 1e-6;
+
+/// The lengths that are not this one.
+fn others(lengths: &[f64], length: f64) -> impl Iterator<Item = f64> {
+    lengths.iter().copied().filter(move |other| (other - length).abs() > SAME_LENGTH * length)
+}
 
 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
