@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 
 use super::judge::Verdict;
 use super::phrase::{Phrase, say};
-use super::report::Report;
-use super::text::{marks, sentence};
+use super::report::{Allowed, Graded, Report};
+use super::text::{digits, marks, sentence};
 
 /// On paper the figure keeps its size: names are to be read. What has no room goes on overleaf.
 const STYLE: &str = "\
@@ -23,6 +23,7 @@ td:first-child:not([colspan]){white-space:nowrap}\
 tr.wrong td:first-child::before{content:'\u{2717} '}\
 tr.right td:first-child::before{content:'\u{2713} '}\
 tr.consistent td:first-child::before{content:'\u{21b3} '}\
+table.short td:nth-child(2):not([colspan]),table.short td:nth-child(3){white-space:nowrap}\
 tr.missing{color:#555}\
 tr.unread td:first-child::before{content:'? '}\
 p.sum{font-weight:bold;text-align:end;margin:.4em 0 1em}\
@@ -132,10 +133,13 @@ impl Report {
         let widest = |column: usize| cells.iter().map(|row| row[column]).max().unwrap_or(0) as f64 * TABLE.0;
         // Marks, and the blanks between columns.
         let room = PAGE.0 - widest(0) - 26.0;
-        let wanted: f64 = (1..4).map(widest).sum();
-        let part = (room / wanted.max(1.0)).min(1.0);
+        // Numbers that are short are not broken.
+        let kept = if self.has_short_numbers() { widest(1) + widest(2) } else { 0.0 };
+        let first = if kept > 0.0 { 3 } else { 1 };
+        let wanted: f64 = (first..4).map(widest).sum();
+        let part = ((room - kept) / wanted.max(1.0)).min(1.0);
         let row = |row: &[usize; 4]| {
-            let high = (1..4).map(|column| lines(row[column], (part * widest(column)).max(1.0), TABLE.0));
+            let high = (first..4).map(|column| lines(row[column], (part * widest(column)).max(1.0), TABLE.0));
             GAP + high.fold(1.0, f64::max) * TABLE.1
         };
         let rows: f64 = cells.iter().map(row).sum();
@@ -146,11 +150,46 @@ impl Report {
         let wrong = self.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong);
         let wrong =
             wrong.map(|graded| paragraph(count(&sentence(graded)) + graded.name.chars().count(), SAID));
-        let because =
-            self.quantities.iter().map(|graded| graded.name.chars().count() + count(&graded.because()) + 4);
-        let because = 5.0 * GAP + paragraph(because.sum(), TOLERANCES);
+        let because = 5.0 * GAP + paragraph(self.reasons().chars().count() + 32, TOLERANCES);
         let name = if self.student.is_some() { NAME } else { 0.0 };
         PAGE.1 - HEADS - name - MISSED - rows - more - notes - wrong.sum::<f64>() - because
+    }
+
+    /// Whether names and numbers of the table leave enough of a line for what is said of them, so that none needs to be broken.
+    fn has_short_numbers(&self) -> bool {
+        /// Signs of a line.
+        const LINE: usize = 86;
+        let count = |phrase: &Phrase| phrase.told(self.language).chars().count();
+        let widest = |of: &dyn Fn(&Graded) -> usize| self.quantities.iter().map(of).max().unwrap_or(0);
+        let right = |graded: &Graded| match graded.right.is_empty() {
+            true => 0,
+            false => count(&graded.expected_within()),
+        };
+        let name = widest(&|graded| graded.name.chars().count());
+        name + widest(&|graded| count(&graded.handed_in())) + widest(&right) <= LINE
+    }
+
+    /// Why answers may be off by what they may: each reason once, with what it is of.
+    fn reasons(&self) -> String {
+        let mut read: Vec<String> = Vec::new();
+        let mut others: Vec<(String, Vec<&str>)> = Vec::new();
+        for graded in &self.quantities {
+            if let Allowed::Read { mm: Some(mm), of: Some(of) } = graded.allowed {
+                let part = say!("{} of {}", digits(mm, mm / 5.0), digits(of, 1.0));
+                read.push(format!("{} {}", graded.name, part.told(self.language)));
+                continue;
+            }
+            let because = graded.because().told(self.language).to_string();
+            match others.iter_mut().find(|(known, _)| *known == because) {
+                Some((_, of)) => of.push(&graded.name),
+                None => others.push((because, vec![&graded.name])),
+            }
+        }
+        let read = (!read.is_empty()).then(|| {
+            say!("read off the paper, mm of mm: {}", read.join(", ")).told(self.language).to_string()
+        });
+        let others = others.into_iter().map(|(because, of)| format!("{}: {because}", of.join(", ")));
+        read.into_iter().chain(others).collect::<Vec<_>>().join("; ")
     }
 
     /// A sentence as hypertext, with names as the sheet prints them.
@@ -207,7 +246,8 @@ impl Report {
         for note in self.notes() {
             let _ = writeln!(page, "<p>{}</p>", unit(&escaped(&note.told(self.language))));
         }
-        page.push_str("<table>\n<tr>");
+        let kind = if self.has_short_numbers() { " class=\"short\"" } else { "" };
+        let _ = write!(page, "<table{kind}>\n<tr>");
         for head in [say!("asked"), say!("yours"), say!("right"), say!("verdict")] {
             let _ = write!(page, "<th>{}</th>", head.told(self.language));
         }
@@ -269,12 +309,7 @@ impl Report {
             }
             page.push_str("</ol>\n");
         }
-        let because: Vec<String> = self
-            .quantities
-            .iter()
-            .map(|graded| format!("{}: {}", graded.name, graded.because().told(self.language)))
-            .collect();
-        let because = say!("How far an answer may be off: {}.", because.join("; "));
+        let because = say!("How far an answer may be off: {}.", self.reasons());
         let _ = writeln!(page, "<p><small>{}</small></p>", unit(&self.html(&because)));
         if let Some(svg) = overlay {
             page.push_str(&cut(svg, strips));

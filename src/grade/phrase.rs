@@ -401,6 +401,7 @@ const PHRASES: &[Row] = &[
     // Numbers.
     ["as the answers' file states it", "كما يذكره ملف الإجابات", "چنان‌که پروندهٔ پاسخ‌ها می‌گوید"],
     ["calculated from what is given, no reading is behind it", "محسوب من المعطيات بلا قراءة من الرسم", "از داده‌ها محاسبه می‌شود و خواندنی در کار نیست"],
+    ["read off the paper, mm of mm: {}", "مقروء من الورق، mm من mm: {}", "خوانده از کاغذ، mm از mm: {}"],
     ["read: {} mm of {} mm on paper at that place", "مقروء: {} mm من {} mm على الورق في ذلك الموضع", "خوانده: {} mm از {} mm روی کاغذ در آن جا"],
     ["calculated from what is read off the drawing", "محسوب مما يُقرأ من الرسم", "از آنچه از رسم خوانده می‌شود محاسبه می‌شود"],
     ["small on paper: two readings off it are {} % of it, so that {} % does not hold", "صغير على الورق: قراءتان منه {} % من مقداره، فلا يصح حد {} %", "روی کاغذ کوچک است: دو بار خواندن {} % آن است، پس حد {} % برقرار نیست"],

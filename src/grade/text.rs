@@ -172,11 +172,13 @@ impl Graded {
             }
             [x, y, ..] => {
                 let both = format!("({}, {})", digits(x, step), digits(y, step));
+                // Where a point stands is seen by its figure to be on paper.
+                let symbol = unit.unwrap_or("mm");
+                let of_unit = |both: String| Phrase::from(format!("{both} {symbol}").trim_end());
                 match (within, self.turn) {
                     (Within::Told, None) => of_unit(both + &size),
                     (Within::Left, _) => of_unit(both),
                     (Within::Told, Some(_)) => {
-                        let symbol = unit.unwrap_or("mm");
                         let both = of_unit(both);
                         match turn.is_empty() {
                             true => say!("{}, magnitude{} {}", both, size, symbol),
