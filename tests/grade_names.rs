@@ -341,8 +341,8 @@ fn one_wrong_direction_is_no_calculator_in_radians() {
         "input": { "link": 2, "angle": 65, "omega": "12 rad/s cw", "alpha": "30 rad/s^2 ccw" },
         "find": ["v(B)", "v(C)", "omega(3)", "omega(4)", "a(B)", "a(C)", "alpha(3)", "alpha(4)"],
     });
-    // Not by 4°: a calculator in radians would make of −153.4 just −149.2°.
-    for off in [8.0, 12.0, 20.0, 45.0] {
+    // By 4.2° a calculator in radians would be off in this one.
+    for off in [4.2, 8.0, 12.0, 20.0, 45.0] {
         let values = json!({
             "v(B)": "544.1 mm/s at -0.5 deg",
             "v(C)": "517.9 mm/s at -20.1 deg",

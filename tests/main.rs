@@ -49,6 +49,7 @@ mod grade_room;
 mod grade_skeleton;
 mod grade_unread;
 mod groups;
+mod handed_out;
 #[path = "hard/main.rs"]
 mod hard;
 mod help;
