@@ -3,13 +3,16 @@
 //!
 //! Latin faces are cut down by the crate `subsetter`, whose fonts are meant for PDF; what a browser needs beside the
 //! glyphs (characters, kerning, metrics) is added here. The joined letters of Arabic script need the typeface's own
-//! substitutions, which speak of glyphs by number: there the numbers stay, and glyphs that nobody uses are empty.
+//! substitutions, which speak of glyphs by number: there the numbers stay, glyphs that nobody uses are empty, and of the
+//! substitutions stay those that the figure's letters may come to.
 
 use std::collections::BTreeMap;
 use std::io::Write;
 
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use write_fonts::read::collections::IntSet;
+use write_fonts::types::{GlyphId, Tag};
 
 use crate::sheet::font::{Face, Used};
 
@@ -88,6 +91,8 @@ fn joined(face: Face, used: &Used) -> Option<Tables> {
     tables.get_mut(b"head")?.get_mut(50..52)?.copy_from_slice(&[0, 1]);
     tables.insert(*b"glyf", glyf);
     tables.insert(*b"loca", loca);
+    let substitutions = substitutions_of(tables.get(b"GSUB")?, used)?;
+    tables.insert(*b"GSUB", substitutions);
     tables.insert(*b"cmap", characters_table(&used.characters));
     tables.insert(*b"post", glyphs_without_names(tables.get(b"post")?)?);
     // Every word stands in its own place: the fine spacing between its letters is less than is seen, and large.
@@ -97,6 +102,120 @@ fn joined(face: Face, used: &Used) -> Option<Tables> {
     ];
     tables.retain(|tag, _| needed.contains(&tag));
     Some(tables)
+}
+
+/// The `GSUB` table with what these glyphs may come to: lookups keep their numbers, and those that none reaches are empty.
+/// Features that are not applied unasked (style sets, figures of fractions) are none that anything reaches.
+fn substitutions_of(table: &[u8], used: &Used) -> Option<Vec<u8>> {
+    const ASKED: [&[u8; 4]; 3] = [b"dnom", b"numr", b"pnum"];
+    let whole = gsub::read(table)?;
+    let unasked = |tag: Tag| {
+        let tag = tag.to_be_bytes();
+        ASKED.contains(&&tag) || tag.starts_with(b"ss")
+    };
+    let features = whole.feature_list().ok()?;
+    let features = features.feature_records().iter().enumerate();
+    let kept: IntSet<u16> = features
+        .filter(|(_, record)| !unasked(record.feature_tag()))
+        .filter_map(|(index, _)| u16::try_from(index).ok())
+        .collect();
+    let mut lookups = whole.collect_lookups(&kept).ok()?;
+    let letters = used.characters.values().chain(&used.glyphs);
+    let mut glyphs: IntSet<GlyphId> = letters.map(|glyph| GlyphId::from(*glyph)).collect();
+    whole.closure_glyphs(&lookups, &mut glyphs).ok()?;
+    whole.closure_lookups(&glyphs, &mut lookups).ok()?;
+    gsub::cut_down(&whole, &lookups, &glyphs)
+}
+
+/// The parts of the crate `write-fonts` that cut a table of substitutions down.
+mod gsub {
+    use write_fonts::dump_table;
+    use write_fonts::from_obj::ToOwnedTable;
+    use write_fonts::read::collections::IntSet;
+    use write_fonts::read::{FontData, FontRead};
+    use write_fonts::tables::gsub::{Gsub, SingleSubst, SubstitutionLookup};
+    use write_fonts::tables::layout::{ChainedSequenceContext, CoverageTable, SequenceContext};
+    use write_fonts::types::{GlyphId, GlyphId16};
+
+    pub(super) type Whole<'a> = write_fonts::read::tables::gsub::Gsub<'a>;
+
+    pub(super) fn read(table: &[u8]) -> Option<Whole<'_>> {
+        Whole::read(FontData::new(table)).ok()
+    }
+
+    /// The table with these lookups, as far as they speak of these glyphs.
+    pub(super) fn cut_down(
+        whole: &Whole<'_>,
+        lookups: &IntSet<u16>,
+        glyphs: &IntSet<GlyphId>,
+    ) -> Option<Vec<u8>> {
+        let mut table: Gsub = whole.to_owned_table();
+        let has = |glyph: GlyphId16| glyphs.contains(GlyphId::from(glyph));
+        let meets = |coverage: &CoverageTable| coverage.iter().any(has);
+        for (index, lookup) in table.lookup_list.lookups.iter_mut().enumerate() {
+            let reached = u16::try_from(index).is_ok_and(|index| lookups.contains(index));
+            match &mut **lookup {
+                SubstitutionLookup::Single(lookup) => lookup.subtables.retain_mut(|own| {
+                    reached
+                        && match &mut **own {
+                            SingleSubst::Format1(own) => meets(&own.coverage),
+                            SingleSubst::Format2(own) => {
+                                own.substitute_glyph_ids =
+                                    covered(&mut own.coverage, &own.substitute_glyph_ids, has);
+                                !own.substitute_glyph_ids.is_empty()
+                            }
+                        }
+                }),
+                SubstitutionLookup::Multiple(lookup) => lookup.subtables.retain_mut(|own| {
+                    let own = &mut **own;
+                    own.sequences = covered(&mut own.coverage, &own.sequences, has);
+                    reached && !own.sequences.is_empty()
+                }),
+                SubstitutionLookup::Ligature(lookup) => lookup.subtables.retain_mut(|own| {
+                    let own = &mut **own;
+                    own.ligature_sets = covered(&mut own.coverage, &own.ligature_sets, has);
+                    reached && !own.ligature_sets.is_empty()
+                }),
+                SubstitutionLookup::Alternate(lookup) => {
+                    lookup.subtables.retain(|own| reached && meets(&own.coverage));
+                }
+                SubstitutionLookup::Contextual(lookup) => lookup.subtables.retain(|own| {
+                    reached
+                        && match own.as_inner() {
+                            SequenceContext::Format1(own) => meets(&own.coverage),
+                            SequenceContext::Format2(own) => meets(&own.coverage),
+                            SequenceContext::Format3(own) => own.coverages.iter().all(|own| meets(own)),
+                        }
+                }),
+                SubstitutionLookup::ChainContextual(lookup) => lookup.subtables.retain(|own| {
+                    reached
+                        && match own.as_inner() {
+                            ChainedSequenceContext::Format1(own) => meets(&own.coverage),
+                            ChainedSequenceContext::Format2(own) => meets(&own.coverage),
+                            ChainedSequenceContext::Format3(own) => {
+                                let before = own.backtrack_coverages.iter();
+                                let after = own.input_coverages.iter().chain(&own.lookahead_coverages);
+                                before.chain(after).all(|own| meets(own))
+                            }
+                        }
+                }),
+                SubstitutionLookup::Extension(_) | SubstitutionLookup::Reverse(_) => {}
+            }
+        }
+        dump_table(&table).ok()
+    }
+
+    /// Of entries, one for each covered glyph, those of the glyphs that `has` names; the others are covered no more.
+    fn covered<T: Clone>(
+        coverage: &mut CoverageTable,
+        entries: &[T],
+        has: impl Fn(GlyphId16) -> bool,
+    ) -> Vec<T> {
+        let all: Vec<(GlyphId16, T)> =
+            coverage.iter().zip(entries.iter().cloned()).filter(|(glyph, _)| has(*glyph)).collect();
+        *coverage = all.iter().map(|(glyph, _)| *glyph).collect();
+        all.into_iter().map(|(_, entry)| entry).collect()
+    }
 }
 
 /// The glyphs of which a composite glyph is made.
