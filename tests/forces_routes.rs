@@ -143,6 +143,39 @@ fn a_contact_has_to_push() {
     assert!(check::check(&expected, 0.05).ok);
 }
 
+/// In a sweep in which what a tooth carries turns round the wheels are pushed apart by the other flank: W l cos θ / r along the
+/// tangent, and tan 20° of it outwards, to either side.
+#[test]
+fn teeth_push_apart_by_either_flank_in_a_sweep() {
+    let sought = r#"{ "name": "X", "on": 3, "torque": "?" }, "#;
+    for loads in ["", sought] {
+        let scene = common::read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O3": [75, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 20 }}, "3": {{ "joins": ["O3"] }} }},
+            "rolls": [ {{ "links": [2, 3], "centres": ["O2", "O3"], "radii": [30, 45], "pressure": 20 }} ],
+            "input": {{ "link": 2, "angle": 30, "omega": "10 rad/s ccw" }},
+            "loads": [ {loads} {} ], "find": ["F(2,3)"] }}"#,
+            if loads.is_empty() {
+                // The input feels the torque of wheel 3 alone.
+                r#"{ "name": "M", "on": 3, "torque": { "harmonics": { "cos": [[1, 3]] } } }"#
+            } else {
+                r#"{ "name": "W", "on": 2, "at": "A", "force": 100, "direction": -90 }"#
+            }
+        ));
+        let sweep = linkgram::sweep::Sweep::new(&scene.mechanism, None).unwrap();
+        assert!(check::confirm_sweep(&sweep).unwrap() > 2);
+        let parts = [0, 1].map(|axis| sweep.columns.iter().position(|c| c.axis == Some(axis)).unwrap());
+        for position in sweep.positions(&sweep.equal_steps(24)) {
+            let [Some(x), Some(y)] = parts.map(|part| position.values[part]) else { panic!("no force") };
+            let cos = libm::cos(position.at);
+            let tangent = if loads.is_empty() { 3.0 / 0.045 * cos } else { 100.0 * 20.0 / 30.0 * cos };
+            let outward = tangent.abs() * libm::tan(20.0_f64.to_radians());
+            assert!((y.abs() - tangent.abs()).abs() < 1e-9 * 100.0, "{}: {y}, {tangent}", position.at);
+            assert!((x - outward).abs() < 1e-9 * 100.0, "{}: {x}, {outward}", position.at);
+        }
+    }
+}
+
 /// Teeth: 20° where nothing is said, the stated angle, or smooth wheels; pushed apart whichever way they drive.
 #[test]
 fn teeth_push_apart() {

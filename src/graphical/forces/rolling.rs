@@ -101,7 +101,14 @@ impl Draughtsman<'_> {
                 self.board.product(size, tangent)
             }
             None => {
-                let size = self.board.magnitude(size);
+                // Where the drawing is run for other places teeth may drive by their other flank there.
+                let size = match self.board.tape().will_be_run() {
+                    true => {
+                        let square = self.board.product(size, size);
+                        self.board.root(square)
+                    }
+                    false => self.board.magnitude(size),
+                };
                 self.board.product(size, tangent)
             }
         };
