@@ -304,3 +304,24 @@ fn the_stable_ranges_of_a_governor_are_roots_and_all_told() {
     assert!(has("unstable", turn, 1) || has("stable", turn, 0), "{turn} in {told:?}");
     assert!(told.len() >= 3, "{told:?}");
 }
+
+/// What drags on a sleeve that moves is a part of the force of its guide, whichever link is driven: half of it here, against
+/// the motion, for one of two halves is drawn.
+#[test]
+fn the_force_on_a_moving_sleeve_has_its_drag() {
+    let still = hartnell(r#", "drag": 25"#, r#""spin", "F(1,3)""#).source.text().to_owned();
+    let inputs = [
+        (r#"{ "slide": 3, "velocity": 10 }"#, 1.0),
+        (r#"{ "slide": 3, "velocity": -10 }"#, -1.0),
+        // The arm that lifts the sleeve lies to the left of its pivot.
+        (r#"{ "link": 2, "omega": -0.5 }"#, 1.0),
+        (r#"{ "link": 2, "omega": 0.5 }"#, -1.0),
+    ];
+    for (input, up) in inputs {
+        let found = answers(&read(&still.replace(r#"{ "slide": 3 }"#, input)));
+        let [x, y] = found["F(1,3)"][..] else { panic!("no force") };
+        near(x, 0.0);
+        near(y, -up * 12.5);
+        near(found["spin"][0], libm::sqrt((600.0 + up * 25.0) / 2.0 * 60.0 / 80.0 / (1.5 * 0.09)));
+    }
+}

@@ -29,7 +29,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             }
             // In a governor that rests it is that of the sleeve, and read with it; a half that is drawn has its part.
             let governs = scene.entry("spin").is_some();
-            let drag = fields.get("drag").filter(|_| !governs || spin::moves_otherwise(index, draft));
+            let drag = fields.get("drag").filter(|_| !governs || spin::moves(draft));
             let drag = drag.map(|drag| drag_of(drag, draft)).transpose()?.flatten();
             let halves = draft.mechanism.forces.spin.map_or(1.0, |spin| f64::from(spin.balls));
             let drag = drag.map(|drag| match halves == 1.0 {

@@ -96,7 +96,7 @@ fn drag(scene: &Fields<'_, '_>, sleeve: Option<LinkId>, draft: &Draft<'_>) -> Re
             return Err(Fault::new(entry.at, "a sleeve slides on a straight guide"));
         }
         let size: Given = positive(&entry.value, draft)?;
-        if moves_otherwise(slide, draft) {
+        if moves(draft) {
             // The motion itself says in which sense the sleeve slides: the drag is read with what rubs.
             continue;
         }
@@ -105,16 +105,14 @@ fn drag(scene: &Fields<'_, '_>, sleeve: Option<LinkId>, draft: &Draft<'_>) -> Re
     Ok(found)
 }
 
-/// Whether inputs move, and none of them is the sleeve in this pair.
-pub(super) fn moves_otherwise(slide: usize, draft: &Draft<'_>) -> bool {
+/// Whether inputs move: their motion says in which sense the sleeve slides.
+pub(super) fn moves(draft: &Draft<'_>) -> bool {
     let rests = |input: &Input| match input {
         Input::Angle { omega, .. } => omega.value == 0.0,
         Input::Speed { speed, .. } => speed.value == 0.0,
         Input::Slide { velocity, .. } => velocity.value == 0.0,
     };
-    let is_sleeve = |input: &Input| matches!(input, Input::Slide { slide: own, .. } if *own == slide);
-    let inputs = &draft.mechanism.inputs;
-    !inputs.iter().all(rests) && !inputs.iter().any(is_sleeve)
+    !draft.mechanism.inputs.iter().all(rests)
 }
 
 fn positive(value: &Value<'_>, draft: &Draft<'_>) -> Res<Given> {
