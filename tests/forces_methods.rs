@@ -513,3 +513,33 @@ fn a_route_that_does_not_exist_is_refused_with_the_reason() {
     let error = scene::read(&rubs.to_string(), "rubs").unwrap_err().to_string();
     assert!(error.contains("where nothing rubs"), "{error}");
 }
+
+/// The line of the lever that gives a torque says its sense once: no size is negative before it, whichever way the crank turns.
+#[test]
+fn the_lever_tells_the_sense_of_a_torque_once() {
+    let mut senses = std::collections::BTreeSet::new();
+    for (omega, load) in [(OMEGA, -400.0), (-OMEGA, -400.0), (OMEGA, 900.0), (-OMEGA, 900.0)] {
+        let mut value = slider_crank(1.1, [0.08, 0.0], &json!([{ "name": "T(2)", "method": "lever" }]));
+        value["input"]["omega"] = json!(omega);
+        value["loads"] = json!([{ "name": "P", "on": 4, "at": "B", "force": [load, 0] }]);
+        let scene = common::read(&value.to_string());
+        let Answer::Scalar { value: torque, .. } =
+            solve_analytically(&scene).unwrap().answer(&scene.mechanism.asked[0].quantity)
+        else {
+            panic!("no torque")
+        };
+        let sense = if torque > 0.0 { "ccw" } else { "cw" };
+        let wish = linkgram::drawing::Wish::default();
+        let figure = linkgram::drawing::figure(&scene, &wish).unwrap();
+        let lines = crate::legibility::sentences(&figure);
+        let line =
+            lines.iter().find(|line| line.contains("T_2") && line.contains('Σ') && line.contains("ω_2"));
+        let line = line.unwrap_or_else(|| panic!("{lines:#?}")).replace('\u{a0}', " ");
+        let result = line.trim_end_matches('.').rsplit('=').next().unwrap().trim().to_owned();
+        assert!(result.ends_with(&format!(" {sense}")) && !result.starts_with('−'), "{line}");
+        let (size, half, _) = crate::legibility::number(&result).unwrap();
+        assert!((size - torque.abs()).abs() < 3.0 * half, "{line}, and it is {torque}");
+        senses.insert((sense, omega > 0.0));
+    }
+    assert_eq!(senses.len(), 4, "{senses:?}");
+}

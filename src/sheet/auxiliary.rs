@@ -1071,17 +1071,30 @@ impl Teller<'_> {
                 };
                 let sum = sum.then(&told).up("\u{a0}W");
                 let factors = [(Some(all), moments, &watt), (Some(rate_key), speed, &rate_unit)];
-                let reckon = |x: &[f64]| x[0].copysign(-moments) / x[1].copysign(speed);
-                let (x, text, _) = figures.line_of(&factors, (Some(result), effort, &own), reckon);
+                // A torque has its sense beside it, and its size alone before that.
+                let by_sense = driven.is_some() && (effort < 0.0 || speed < 0.0);
+                let reckon = |x: &[f64]| match by_sense {
+                    true => x[0] / x[1],
+                    false => x[0].copysign(-moments) / x[1].copysign(speed),
+                };
+                let size = if by_sense { effort.abs() } else { effort };
+                let (x, text, _) = figures.line_of(&factors, (Some(result), size, &own), reckon);
                 // The table says what this line says.
                 if let Some(print) = figures.print_of(result).cloned() {
                     let asked = Key::of(Quantity::Force(of, Share::Total), n);
                     figures.keep_result(Method::Lever, asked, print);
                 }
                 let sign = |value: f64| if value < 0.0 { "−" } else { "" };
-                let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
-                let line =
-                    line.up(sign(-moments)).then(&x[0]).up(OVER).up(sign(speed)).then(&x[1]).up(EQUALS);
+                let line = match by_sense {
+                    true => {
+                        let line = symbol.up(EQUALS).up("|Σ").it("M").up("|").up(OVER).up("|").then(&rate);
+                        line.up("|").up(EQUALS).then(&x[0]).up(OVER).then(&x[1]).up(EQUALS)
+                    }
+                    false => {
+                        let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
+                        line.up(sign(-moments)).then(&x[0]).up(OVER).up(sign(speed)).then(&x[1]).up(EQUALS)
+                    }
+                };
                 let line = line.then(&human::with_unit(&text, &own.symbol));
                 let line = if driven.is_some() { line.word(n.sense(effort)) } else { line };
                 return Some(vec![
