@@ -623,3 +623,43 @@ fn a_mechanism_s_own_diagram_is_measured() {
     source(&lines, "E_2");
     source(&lines, "α_max");
 }
+
+/// At both dead points of a slotted lever a load against its ram needs no torque at all: of the two equal greatest
+/// accelerations the first one is told, where the crank is square to the lever.
+#[test]
+fn a_maximum_is_the_first_of_equal_ones() {
+    let (crank, centres) = (80.0_f64, 200.0);
+    for turn in ["ccw", "cw"] {
+        let scene = read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [0, -{centres}] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": {crank} }}, "4": {{ "joins": ["O4", "C"], "length": 480 }},
+                       "5": {{ "joins": ["C", "D"], "length": 160 }} }},
+            "near": {{ "A": [40, 69], "C": [60, 270], "D": [-90, 250] }},
+            "input": {{ "link": 2, "angle": 60, "omega": "60 rpm {turn}" }},
+            "slides": [ {{ "pin": "A", "block": 3, "on": {{ "link": 4, "through": "O4" }} }},
+                        {{ "pin": "D", "block": 6, "on": {{ "link": 1, "through": [0, 260] }} }} ],
+            "loads": [ {{ "name": "P", "on": 6, "force": "3 kN", "direction": "against" }} ],
+            "cycle": {{ "load": {{ "of": 2 }}, "rotating": [ {{ "inertia": 20 }} ] }},
+            "find": ["Tmean", "alpha(max)", "angle(alpha_max)"] }}"#
+        ));
+        let told = answers(&scene);
+        // From the line of centres, at which the lever stands at the end of its swing.
+        let aside = libm::acos(crank / centres);
+        let dead = [1.5 * PI - aside, 1.5 * PI + aside];
+        let first = if turn == "ccw" { dead[0] } else { dead[1] };
+        assert!((told["angle(alpha_max)"] - first).abs() < 1e-6, "{turn}: {told:?}");
+        near(told["alpha(max)"], told["Tmean"].abs() / 20.0);
+    }
+}
+
+/// What several copies of both curves come to is said with them.
+#[test]
+fn copies_are_of_both_curves() {
+    let scene = diagram(
+        r#""torque": { "harmonics": { "constant": 30, "sin": [[1, 50]] } }, "load": { "table": [[0, 60]] },
+           "copies": { "number": 2, "shift": 180 }, "rotating": [ { "inertia": 1 } ]"#,
+        r#""Ef""#,
+    );
+    let why = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap_err().to_string();
+    assert!(why.contains("60.000000 N m and 120.000000 N m (2 copies of each together)"), "{why}");
+}

@@ -25,6 +25,8 @@ const ZERO: f64 = 1e-12;
 const BEGINNING: f64 = 1e-9;
 /// What parts two crossings all but touches where it is no more than so many zeros.
 const TOUCH: f64 = 1e3;
+/// A top is followed until it is known to this part of the period, which is less than its height tells.
+const TOP: f64 = 1e-11;
 
 /// A diagram solved in closed form.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +48,14 @@ pub struct Turning {
     unnumbered: Option<&'static str>,
     /// The greatest and the least difference of the torques: where and how much.
     steepest: Option<[(Known, Known); 2]>,
+}
+
+/// A top of a curve: where, how high, and how far it may be from there.
+#[derive(Debug, Clone, Copy)]
+struct Top {
+    at: f64,
+    value: f64,
+    loose: f64,
 }
 
 /// A number with its bound.
@@ -681,41 +691,8 @@ impl Turning {
             {
                 values.insert(0, (at - self.period, value));
             }
-            let most = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
-            let room = 1e-9 * curves.scale;
-            let index = values.iter().position(|(_, value)| *value >= most - room);
-            let index = index.ok_or("there is no curve")?;
-            let (mut at, mut value) = values[index];
-            let mut loose = 32.0 * U * self.period;
-            if curves.smooth() {
-                let step = self.period / f64::from(curves.many());
-                let height = height + curves.loose(at)?;
-                let beyond = |from: f64, by: f64| {
-                    let end = from + by;
-                    let inside = knots.iter().find(|knot| (**knot - end) * (**knot - from) < 0.0);
-                    inside.copied().unwrap_or(end)
-                };
-                let (mut low, mut high) = (beyond(at, -step), beyond(at, step));
-                let golden = 0.618_033_988_749_894_9;
-                for _ in 0..90 {
-                    let (a, b) = (high - golden * (high - low), low + golden * (high - low));
-                    if net(a, true)? >= net(b, true)? { high = b } else { low = a }
-                }
-                let top = f64::midpoint(low, high);
-                let at_top = net(top, true)?;
-                if at_top > value {
-                    let bend = (net(top - step / 4.0, true)? - 2.0 * at_top + net(top + step / 4.0, true)?)
-                        / (step * step / 16.0);
-                    if bend < 0.0 {
-                        loose += 2.0 * libm::sqrt(2.0 * (height + 64.0 * U * curves.scale) / -bend);
-                    }
-                    (at, value) = (top, at_top);
-                }
-            }
-            if at < 0.0 && at > -loose {
-                at = 0.0;
-            }
-            let place = if at < 0.0 { at + self.period } else { at };
+            values.dedup();
+            let Top { at: place, value, loose } = Self::highest(curves, knots, &values, (up, height))?;
             found.push((
                 Known { value: place, bound: loose },
                 Known {
@@ -728,6 +705,86 @@ impl Turning {
             self.steepest = Some([most, least]);
         }
         Ok(())
+    }
+
+    /// The greatest of the values of one side, and of equal ones the first: every look that stands as high as its
+    /// neighbours is followed to the top beside it, for two tops of one height are seen at different depths.
+    fn highest(
+        curves: &Curves<'_>,
+        knots: &[f64],
+        values: &[(f64, f64)],
+        (up, height): (f64, f64),
+    ) -> Told<Top> {
+        let most = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
+        let room = 1e-9 * curves.scale;
+        let seen = |value: f64, at: f64| Top { at, value, loose: 32.0 * U * curves.period };
+        let mut tops = Vec::new();
+        for (index, &(at, value)) in values.iter().enumerate() {
+            let beside =
+                |index: Option<usize>| index.and_then(|index| values.get(index)).map(|(_, value)| *value);
+            let [before, after] = [beside(index.checked_sub(1)), beside(Some(index + 1))]
+                .map(|beside| beside.unwrap_or(f64::NEG_INFINITY));
+            if value < before.max(after) {
+                continue;
+            }
+            // A parabola through three looks rises above the middle one by an eighth of how much they bend at most.
+            let bends = 2.0 * value - before.max(f64::MIN) - after.max(f64::MIN);
+            let mut top = seen(value, at);
+            if curves.smooth() && bends > room && value + bends.min(2.0 * curves.scale) >= most {
+                top = Self::top(curves, knots, top, (up, height))?;
+            } else if value < most - room {
+                continue;
+            }
+            // The place within the period; what is not told from its beginning is there.
+            top.at -= libm::floor((top.at + top.loose) / curves.period) * curves.period;
+            if top.at <= top.loose {
+                top.at = 0.0;
+            }
+            tops.push(top);
+        }
+        let most = tops.iter().map(|top| top.value).fold(f64::NEG_INFINITY, f64::max);
+        let first = tops.into_iter().filter(|top| top.value >= most - room);
+        first.min_by(|one, other| one.at.total_cmp(&other.at)).ok_or_else(|| "there is no curve".to_owned())
+    }
+
+    /// The top of a smooth curve beside a look, no farther than the next look and no knot between.
+    fn top(curves: &Curves<'_>, knots: &[f64], seen: Top, (up, height): (f64, f64)) -> Told<Top> {
+        let net = |at: f64| curves.net(at, true).map(|net| up * net);
+        let Top { at, value, mut loose } = seen;
+        let step = curves.period / f64::from(curves.many());
+        let height = height + curves.loose(at)?;
+        let beyond = |by: f64| {
+            let end = at + by;
+            let inside = knots.iter().find(|knot| (**knot - end) * (**knot - at) < 0.0);
+            inside.copied().unwrap_or(end)
+        };
+        let (mut low, mut high) = (beyond(-step), beyond(step));
+        let golden = 0.618_033_988_749_894_9;
+        let (mut a, mut b) = (high - golden * (high - low), low + golden * (high - low));
+        let (mut of_a, mut of_b) = (net(a)?, net(b)?);
+        while high - low > TOP * curves.period {
+            if of_a >= of_b {
+                (high, b, of_b) = (b, a, of_a);
+                a = high - golden * (high - low);
+                of_a = net(a)?;
+            } else {
+                (low, a, of_a) = (a, b, of_b);
+                b = low + golden * (high - low);
+                of_b = net(b)?;
+            }
+        }
+        let top = f64::midpoint(low, high);
+        let at_top = net(top)?;
+        if at_top <= value {
+            return Ok(seen);
+        }
+        let quarter = step / 4.0;
+        let bend = (net(top - quarter)? - 2.0 * at_top + net(top + quarter)?) / (quarter * quarter);
+        loose += high - low;
+        if bend < 0.0 {
+            loose += 2.0 * libm::sqrt(2.0 * (height + 64.0 * U * curves.scale) / -bend);
+        }
+        Ok(Top { at: top, value: at_top, loose })
     }
 
     fn fluctuation_of_energy(&self) -> Told<Known> {

@@ -18,8 +18,12 @@ use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 const BESIDE: f64 = 1e-6;
 /// Steps of a period in which torsion springs are followed.
 const FOLLOWED: u32 = 144;
-/// Pieces of a turn between which powers are integrated.
-const PIECES: u32 = 36;
+/// Pieces of a turn between which powers are integrated, and parts of one in which a load turns back no more than once.
+const PIECES: u32 = 12;
+const PARTS: u32 = 3;
+/// A piece whose integral is not known to this part of it is halved, so often.
+const FINE: f64 = 1e-13;
+const HALVINGS: u32 = 3;
 /// Nodes and weights of the rule of fifteen points, and the weights of the seven of Gauss among them.
 const NODES: [f64; 8] = [
     0.991_455_371_120_812_6,
@@ -49,10 +53,18 @@ pub(super) struct OwnTorque<'a> {
     standing: Standing<'a>,
     sign: f64,
     torques: RefCell<BTreeMap<u64, Known>>,
+    /// Work from angle 0, and what has a potential, where they were asked for.
+    works: RefCell<BTreeMap<u64, Known>>,
+    energies: RefCell<BTreeMap<u64, Known>>,
     /// Work of loads without a potential from one piece to the next, by the place of the piece.
     pieces: RefCell<BTreeMap<i64, Known>>,
     /// Where the curves of loads bend or leap, each with the angle after which it comes again.
     knots: Vec<[f64; 2]>,
+    rubs: bool,
+    /// Whether there is a load or a spring that has no potential.
+    works_otherwise: bool,
+    /// Whether a load is against a motion, or with it.
+    follows_motion: bool,
 }
 
 impl<'a> OwnTorque<'a> {
@@ -62,10 +74,40 @@ impl<'a> OwnTorque<'a> {
     /// Why the period does not close.
     pub(super) fn new(standing: Standing<'a>, sign: f64, period: f64) -> Told<Self> {
         standing(0.0).map_or(Ok(()), |mechanism| wound_up_as_before(&mechanism, standing, period))?;
-        let knots = standing(0.0).map_or_else(Vec::new, |mechanism| {
-            mechanism.forces.knots().iter().map(|knot| knot.map(|given| given.value)).collect()
-        });
-        Ok(Self { standing, sign, torques: RefCell::default(), pieces: RefCell::default(), knots })
+        let mut own = Self {
+            standing,
+            sign,
+            torques: RefCell::default(),
+            works: RefCell::default(),
+            energies: RefCell::default(),
+            pieces: RefCell::default(),
+            knots: Vec::new(),
+            rubs: false,
+            works_otherwise: false,
+            follows_motion: false,
+        };
+        if let Some(mechanism) = standing(0.0) {
+            let knots = mechanism.forces.knots();
+            own.knots = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
+            own.rubs = !mechanism.rubbing_pairs().is_empty();
+            own.follows_motion = mechanism.forces.loads.iter().any(|load| load.follows_motion());
+            own.works_otherwise = !own.without_potential(0.0)?.forces.is_empty();
+        }
+        Ok(own)
+    }
+
+    /// What is known already at an angle, or is found now.
+    fn once(
+        known: &RefCell<BTreeMap<u64, Known>>,
+        at: f64,
+        find: impl FnOnce() -> Told<Known>,
+    ) -> Told<Known> {
+        if let Some(known) = known.borrow().get(&at.to_bits()) {
+            return Ok(*known);
+        }
+        let found = find()?;
+        known.borrow_mut().insert(at.to_bits(), found);
+        Ok(found)
     }
 
     /// Where the curves of loads bend or leap, each with the angle after which it comes again.
@@ -109,24 +151,20 @@ impl<'a> OwnTorque<'a> {
 
     /// The torque at an angle.
     pub(super) fn torque(&self, at: f64) -> Told<Known> {
-        if let Some(known) = self.torques.borrow().get(&at.to_bits()) {
-            return Ok(*known);
-        }
-        let here = self.solved(at);
-        let torque = match here {
-            Some(torque) => torque,
-            None => {
-                // Where a loaded point turns back its direction is none, and the torque that of either side.
-                let sides = [-BESIDE, BESIDE].map(|step| self.limit(at, step));
-                let [Some(before), Some(after)] = sides else { return Err(undetermined(at)) };
-                let apart = (before.value - after.value).abs();
-                let bound = before.bound + after.bound + apart;
-                Known { value: f64::midpoint(before.value, after.value), bound }
-            }
-        };
-        let torque = Known { value: self.sign * torque.value, ..torque };
-        self.torques.borrow_mut().insert(at.to_bits(), torque);
-        Ok(torque)
+        Self::once(&self.torques, at, || {
+            let torque = match self.solved(at) {
+                Some(torque) => torque,
+                None => {
+                    // Where a loaded point turns back its direction is none, and the torque that of either side.
+                    let sides = [-BESIDE, BESIDE].map(|step| self.limit(at, step));
+                    let [Some(before), Some(after)] = sides else { return Err(undetermined(at)) };
+                    let apart = (before.value - after.value).abs();
+                    let bound = before.bound + after.bound + apart;
+                    Known { value: f64::midpoint(before.value, after.value), bound }
+                }
+            };
+            Ok(Known { value: self.sign * torque.value, ..torque })
+        })
     }
 
     /// Whither the torque goes from one side: its value and its slope, less by a difference of the second order.
@@ -149,17 +187,20 @@ impl<'a> OwnTorque<'a> {
     /// ∫ from 0. Friction has no potential, and what it takes hangs on all that presses: with it the torque itself is
     /// integrated.
     pub(super) fn work(&self, at: f64) -> Told<Known> {
-        if self.rubs(0.0)? {
-            let given = self.integral(at)?;
-            return Ok(Known { value: -self.sign * given.value, ..given });
-        }
-        let (from, to) = (self.energy(0.0)?, self.energy(at)?);
-        let mut work = Known { value: to.value - from.value, bound: to.bound + from.bound };
-        if !self.without_potential(0.0)?.forces.is_empty() {
-            let given = self.integral(at)?;
-            work = Known { value: work.value - given.value, bound: work.bound + given.bound };
-        }
-        Ok(Known { value: self.sign * work.value, bound: work.bound + 8.0 * U * work.value.abs() })
+        Self::once(&self.works, at, || {
+            if self.rubs {
+                let given = self.integral(at)?;
+                return Ok(Known { value: -self.sign * given.value, ..given });
+            }
+            let energy = |at: f64| Self::once(&self.energies, at, || self.energy(at));
+            let (from, to) = (energy(0.0)?, energy(at)?);
+            let mut work = Known { value: to.value - from.value, bound: to.bound + from.bound };
+            if self.works_otherwise {
+                let given = self.integral(at)?;
+                work = Known { value: work.value - given.value, bound: work.bound + given.bound };
+            }
+            Ok(Known { value: self.sign * work.value, bound: work.bound + 8.0 * U * work.value.abs() })
+        })
     }
 
     /// What has a potential at an angle: kinetic energy, weights, springs, loads of one size and direction.
@@ -298,14 +339,10 @@ impl<'a> OwnTorque<'a> {
         Ok(mechanism)
     }
 
-    fn rubs(&self, at: f64) -> Told<bool> {
-        Ok(!self.standing(at)?.rubbing_pairs().is_empty())
-    }
-
     /// Work of the loads without a potential for a radian of the input; with friction what the input gives, reversed. A
     /// load that follows a motion has no direction where that motion rests; its power is the same from either side.
     fn rate(&self, at: f64) -> Told<Known> {
-        if self.rubs(at)? {
+        if self.rubs {
             let torque = self.torque(at)?;
             return Ok(Known { value: -self.sign * torque.value, ..torque });
         }
@@ -407,22 +444,39 @@ impl<'a> OwnTorque<'a> {
             return Ok(Known { value: 0.0, bound: 0.0 });
         }
         let mut ends = vec![from];
-        ends.extend(self.reversals(from, to)?);
+        if self.follows_motion {
+            let part = |index: u32| from + (to - from) * f64::from(index) / f64::from(PARTS);
+            for index in 0..PARTS {
+                ends.extend(self.reversals(part(index), part(index + 1))?);
+            }
+        }
         ends.extend(self.knots_between(from, to));
         ends.sort_by(f64::total_cmp);
         ends.push(to);
         let mut sum = Known { value: 0.0, bound: 0.0 };
         for pair in ends.windows(2) {
-            let part = self.rule(pair[0], pair[1])?;
+            let part = self.halved(pair[0], pair[1], HALVINGS)?;
             sum = Known { value: sum.value + part.value, bound: sum.bound + part.bound };
         }
         Ok(sum)
     }
 
-    fn rule(&self, from: f64, to: f64) -> Told<Known> {
+    /// What is smooth, in halves where it bends too much for one rule.
+    fn halved(&self, from: f64, to: f64, halvings: u32) -> Told<Known> {
+        let (whole, coarse) = self.rule(from, to)?;
+        if !coarse || halvings == 0 {
+            return Ok(whole);
+        }
+        let middle = f64::midpoint(from, to);
+        let [one, other] = [self.halved(from, middle, halvings - 1)?, self.halved(middle, to, halvings - 1)?];
+        Ok(Known { value: one.value + other.value, bound: one.bound + other.bound })
+    }
+
+    /// An integral by one rule, and whether it is coarse.
+    fn rule(&self, from: f64, to: f64) -> Told<(Known, bool)> {
         let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
         if half <= 0.0 {
-            return Ok(Known { value: 0.0, bound: 0.0 });
+            return Ok((Known { value: 0.0, bound: 0.0 }, false));
         }
         let (mut fine, mut coarse, mut size, mut loose) = (0.0, 0.0, 0.0, 0.0);
         for (index, node) in NODES.iter().enumerate() {
@@ -441,7 +495,8 @@ impl<'a> OwnTorque<'a> {
         let (apart, size) = ((fine - coarse).abs() * half, size * half);
         let missed =
             if size > 0.0 { size * libm::pow(200.0 * apart / size, 1.5).min(apart / size) } else { 0.0 };
-        Ok(Known { value: fine * half, bound: missed + loose * half + 256.0 * U * size })
+        let whole = Known { value: fine * half, bound: missed + loose * half + 256.0 * U * size };
+        Ok((whole, missed > FINE * size))
     }
 }
 

@@ -227,6 +227,14 @@ struct Angle {
     place: f64,
 }
 
+/// A top of a curve between two nodes: where, how high, and within what nothing tells where.
+#[derive(Clone, Copy)]
+struct Top {
+    at: f64,
+    height: f64,
+    room: f64,
+}
+
 /// An angle at which pieces meet, with the heights of both curves on either side of it.
 #[derive(Clone, Copy)]
 struct Node {
@@ -827,8 +835,12 @@ impl Desk<'_> {
             let (torque, load) = (torque.value(), load.value());
             if (torque - load).abs() > ONE_MEAN * torque.abs().max(load.abs()) {
                 let means = [torque, load].map(|work| work / self.cycle.period.value);
+                let all = match self.cycle.copies.number {
+                    1 => String::new(),
+                    number => format!(" ({number} copies of each together)"),
+                };
                 return Err(format!(
-                    "the two torques have different means, {:.6} N m and {:.6} N m: the speed would not come back",
+                    "the two torques have different means, {:.6} N m and {:.6} N m{all}: the speed would not come back",
                     means[0], means[1]
                 ));
             }
@@ -1134,48 +1146,37 @@ impl Desk<'_> {
             let at_node = |node: &Node| net(node.before).max(net(node.after));
             let most = nodes.iter().map(at_node).fold(f64::NEG_INFINITY, f64::max);
             let room = 1e-9 * self.largest;
-            let index = nodes.iter().position(|node| at_node(node) >= most - room);
-            let index = index.ok_or_else(|| "there is no curve".to_owned())?;
+            // Two tops of one height are seen at nodes of different ones: whichever may rise to the highest is followed.
+            let is_curved = pieces.iter().any(Option::is_some);
+            let seen = |index: Option<usize>| index.and_then(|index| nodes.get(index)).map(at_node);
+            let mut tops = Vec::new();
+            for (index, node) in nodes.iter().enumerate() {
+                let own = at_node(node);
+                let [before, after] =
+                    [index.checked_sub(1), Some(index + 1)].map(|beside| seen(beside).unwrap_or(own));
+                let rise = (own - before) + (own - after);
+                let may_rise = is_curved && own >= before.max(after) && rise > room;
+                if own < most - if may_rise { rise.max(room) } else { room } {
+                    continue;
+                }
+                let top = if is_curved { self.top_beside(nodes, index, (up, constant, mean))? } else { None };
+                tops.push((index, top));
+            }
+            let height =
+                |(index, top): &(usize, Option<Top>)| top.map_or(at_node(&nodes[*index]), |top| top.height);
+            let most = tops.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            let mut first = tops.iter().filter(|top| height(top) >= most - room);
+            let &(index, top) = first.next().ok_or_else(|| "there is no curve".to_owned())?;
             let node = nodes[index];
             let heights = if net(node.after) >= net(node.before) { node.after } else { node.before };
             let mut place = (node.at, heights, 0.0);
-            // Of a curve the top may lie between two nodes.
-            if pieces.iter().any(Option::is_some) {
-                let look = |desk: &Self, at: f64| -> Result<f64, String> {
-                    let mut heights = desk.look(at)?;
-                    if let Some(side) = constant {
-                        heights[side] = mean.value();
-                    }
-                    Ok(up * (heights[0] - heights[1]))
-                };
-                let neighbour = |index: usize| nodes.get(index).map(|node| node.at.value());
-                let from = index.checked_sub(1).and_then(neighbour).unwrap_or(node.at.value());
-                let to = neighbour(index + 1).unwrap_or(node.at.value());
-                let (mut low, mut high) = (from, to);
-                for _ in 0..60 {
-                    let third = (high - low) / 3.0;
-                    let (a, b) = (low + third, high - third);
-                    if look(self, a)? < look(self, b)? {
-                        low = a;
-                    } else {
-                        high = b;
-                    }
+            if let Some(Top { at, room, .. }) = top {
+                let leaf = self.exact(at);
+                let mut heights = self.heights(courses, Angle { at: leaf, place: at }, Limit::After)?;
+                if let Some(side) = constant {
+                    heights[side] = mean;
                 }
-                let at = f64::midpoint(low, high);
-                let top = look(self, at)?;
-                if top > net(heights) {
-                    // Within this of the top nothing tells where it is.
-                    let step = (to - from) / 4.0;
-                    let bend = (look(self, at - step)? - 2.0 * top + look(self, at + step)?) / (step * step);
-                    let noise = 64.0 * f64::EPSILON * self.largest + self.noise_at(at);
-                    let room = if bend < 0.0 { 2.0 * libm::sqrt(2.0 * noise / -bend) } else { to - from };
-                    let leaf = self.exact(at);
-                    let mut heights = self.heights(courses, Angle { at: leaf, place: at }, Limit::After)?;
-                    if let Some(side) = constant {
-                        heights[side] = mean;
-                    }
-                    place = (leaf, heights, room + at.abs() * f64::EPSILON);
-                }
+                place = (leaf, heights, room + at.abs() * f64::EPSILON);
             }
             let (at, heights, room) = place;
             found.push((at, self.net(heights), room));
@@ -1184,6 +1185,48 @@ impl Desk<'_> {
             [most, least] => Ok([most, least]),
             _ => Err("there is no curve".to_owned()),
         }
+    }
+
+    /// The top of a curve between the neighbours of a node, where that stands higher than the node.
+    fn top_beside(
+        &self,
+        nodes: &[Node],
+        index: usize,
+        (up, constant, mean): (f64, Option<usize>, Amount),
+    ) -> Result<Option<Top>, String> {
+        let look = |at: f64| -> Result<f64, String> {
+            let mut heights = self.look(at)?;
+            if let Some(side) = constant {
+                heights[side] = mean.value();
+            }
+            Ok(up * (heights[0] - heights[1]))
+        };
+        let node = nodes[index];
+        let net = |heights: [Amount; 2]| up * (heights[0].value() - heights[1].value());
+        let neighbour = |index: usize| nodes.get(index).map(|node| node.at.value());
+        let from = index.checked_sub(1).and_then(neighbour).unwrap_or(node.at.value());
+        let to = neighbour(index + 1).unwrap_or(node.at.value());
+        let (mut low, mut high) = (from, to);
+        for _ in 0..60 {
+            let third = (high - low) / 3.0;
+            let (a, b) = (low + third, high - third);
+            if look(a)? < look(b)? {
+                low = a;
+            } else {
+                high = b;
+            }
+        }
+        let at = f64::midpoint(low, high);
+        let height = look(at)?;
+        if height <= net(node.before).max(net(node.after)) {
+            return Ok(None);
+        }
+        // Within this of the top nothing tells where it is.
+        let step = (to - from) / 4.0;
+        let bend = (look(at - step)? - 2.0 * height + look(at + step)?) / (step * step);
+        let noise = 64.0 * f64::EPSILON * self.largest + self.noise_at(at);
+        let room = if bend < 0.0 { 2.0 * libm::sqrt(2.0 * noise / -bend) } else { to - from };
+        Ok(Some(Top { at, height, room }))
     }
 
     /// How far the mechanism's torque may be off.
