@@ -76,6 +76,7 @@ mod plan;
 #[path = "planted/main.rs"]
 mod planted;
 mod planted_forces;
+mod printed_balance;
 mod printed_lines;
 mod random_sheets;
 mod rooms;
