@@ -67,6 +67,11 @@ const WAVES: &str = r#"{"units": {"torque": "kN*m", "length": "mm"}, "links": {}
     "rotating": [{"weight": "2 kN", "gyration": 400, "ratio": 2}]},
     "find": ["Tmean", "power", "Ef", "Emax", "Emin", "If", "I", "level(1)", "level(2)", "area(2)"]}"#;
 
+/// What turns already is too light for the fluctuation that is wanted: a flywheel comes to it, and both count in K_s.
+const WANTED: &str = r#"{"units": {"torque": "kN*m"}, "links": {}, "input": {"omega": "30 rpm"}, "cycle": {
+    "load": {"table": [[0, 0.2], [120, 0.2], [120, 6], [150, 6], [150, 0.2], [360, 0.2]]},
+    "rotating": [{"inertia": 900}], "fluctuation": 0.1}, "find": ["Tmean", "Ef", "Ks", "I"]}"#;
+
 /// The parts of a sum of symbols or numbers: `E_1 + A_1`, `511.89 − (−4.21)`.
 fn parts(text: &str) -> Vec<String> {
     let text =
@@ -79,7 +84,7 @@ fn parts(text: &str) -> Vec<String> {
 #[test]
 fn lines_of_a_cycle_take_what_stands_above_them() {
     let (mut uses, mut lines, mut wrong) = (0, 0, Vec::new());
-    let scenes = [("press", PRESS), ("four copies", FOUR_COPIES), ("waves", WAVES)];
+    let scenes = [("press", PRESS), ("four copies", FOUR_COPIES), ("waves", WAVES), ("wanted", WANTED)];
     let mut all: Vec<(String, Scene)> =
         scenes.into_iter().map(|(name, text)| (name.to_owned(), common::read(text))).collect();
     all.extend(common::scenes().into_iter().filter(|(_, scene)| scene.mechanism.forces.cycle.is_some()));

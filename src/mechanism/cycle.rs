@@ -171,9 +171,9 @@ impl CycleQuantity {
             Self::Power => &[Self::Mean, Self::Work],
             Self::Fluctuation => &[Self::Highest, Self::Lowest],
             Self::OfEnergy => &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Work],
-            Self::OfSpeed | Self::Flywheel => {
-                &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Inertia]
-            }
+            Self::Flywheel => &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Inertia],
+            // Where a fluctuation is wanted the flywheel that is still needed turns as well.
+            Self::OfSpeed => &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Inertia, Self::Flywheel],
             Self::Most => &[
                 Self::AtMost,
                 Self::Mean,

@@ -174,13 +174,6 @@ impl Computed<'_> {
                 self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
             }),
             asked(CycleQuantity::Inertia).then(|| self.inertia()),
-            asked(CycleQuantity::OfSpeed).then(|| {
-                let factors =
-                    [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Inertia, "kg*m^2")?, omega()?];
-                let set =
-                    |n: &[Rich]| n[0].clone().up(over).up("(").then(&n[1]).up(times).then(&n[2]).up("²)");
-                self.line(of(CycleQuantity::OfSpeed, "")?, &factors, set, |n| n[0] / (n[1] * n[2] * n[2]))
-            }),
             asked(CycleQuantity::Flywheel).then(|| {
                 let mut factors = vec![of(CycleQuantity::Fluctuation, "J")?, wanted()?, omega()?];
                 factors.extend(of(CycleQuantity::Inertia, "kg*m^2").filter(|(_, _, value, _)| *value != 0.0));
@@ -196,6 +189,22 @@ impl Computed<'_> {
                 let value = flywheel.2;
                 let line = self.line(flywheel, &factors, set, reckon)?;
                 Some(self.as_asked(line, CycleQuantity::Flywheel, value))
+            }),
+            asked(CycleQuantity::OfSpeed).then(|| {
+                let mut factors = vec![of(CycleQuantity::Fluctuation, "J")?, omega()?];
+                // With the flywheel that is still needed.
+                factors.extend(self.turning()?);
+                let set = |n: &[Rich]| {
+                    let turns = match n.get(3) {
+                        Some(flywheel) => {
+                            Rich::upright("(").then(&n[2]).up("\u{a0}+\u{a0}").then(flywheel).up(")")
+                        }
+                        None => n[2].clone(),
+                    };
+                    n[0].clone().up(over).up("(").then(&turns).up(times).then(&n[1]).up("²)")
+                };
+                let reckon = |n: &[f64]| n[0] / (n[2..].iter().sum::<f64>() * n[1] * n[1]);
+                self.line(of(CycleQuantity::OfSpeed, "")?, &factors, set, reckon)
             }),
             asked(CycleQuantity::AtMost).then(|| self.steepest(CycleQuantity::AtMost)),
             asked(CycleQuantity::Most).then(|| self.fastest(CycleQuantity::Most, CycleQuantity::AtMost)),
