@@ -663,3 +663,44 @@ fn copies_are_of_both_curves() {
     let why = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap_err().to_string();
     assert!(why.contains("60.000000 N m and 120.000000 N m (2 copies of each together)"), "{why}");
 }
+
+/// A diagram whose angles fall has an arrow of the motion, from right to left; another needs none. A crossing where the curve leaps
+/// over the mean line stands on that line.
+#[test]
+fn a_diagram_tells_which_way_it_is_run_through() {
+    use crate::legibility::{has, marks, within};
+    for turn in ["ccw", "cw"] {
+        let scene = read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 80 }}, "3": {{ "joins": ["A", "B"], "length": 320 }} }},
+            "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }} ], "near": {{ "B": [380, 0] }},
+            "input": {{ "link": 2, "angle": 10, "omega": "90 rpm {turn}" }},
+            "loads": [ {{ "name": "P", "on": 4, "force": 900, "direction": "against" }} ],
+            "cycle": {{ "load": {{ "of": 2 }}, "rotating": [ {{ "inertia": 2 }} ] }}, "find": ["Ef"] }}"#
+        ));
+        let figure = figure(&scene, &Wish { kind: Kind::Solution, ..Wish::default() }).unwrap();
+        let groups = within(&figure.root);
+        let of = |class: &str| groups.iter().filter(|group| has(group, class)).count();
+        let diagrams = of("turning-moment") + of("energy");
+        assert!(diagrams > 0);
+        assert_eq!(of("way-of-motion"), if turn == "cw" { diagrams } else { 0 }, "{turn}");
+    }
+    let leaps = diagram(
+        r#""load": { "table": [[0, 2], [120, 2], [120, 60], [150, 60], [150, 2], [360, 2]] }, "rotating": [ { "inertia": 1 } ]"#,
+        r#""Ef""#,
+    );
+    let figure = figure(&leaps, &Wish { kind: Kind::Solution, ..Wish::default() }).unwrap();
+    let groups = within(&figure.root);
+    let diagram = groups.iter().find(|group| has(group, "turning-moment")).unwrap();
+    let height = |shape: &linkgram::sheet::figure::Shape| match shape {
+        linkgram::sheet::figure::Shape::Polyline(points) => points[0].y,
+        linkgram::sheet::figure::Shape::Circle { centre, .. } => centre.y,
+        other => panic!("{other:?}"),
+    };
+    let line = within(diagram).into_iter().find(|group| has(group, "mean-line")).unwrap();
+    let mean = height(&marks(line).next().unwrap().shape);
+    let dots: Vec<f64> =
+        marks(diagram).filter(|mark| mark.class == "crossing").map(|mark| height(&mark.shape)).collect();
+    assert_eq!(dots.len(), 2);
+    assert!(dots.iter().all(|at| (at - mean).abs() < 1e-6), "{dots:?} {mean}");
+}

@@ -280,6 +280,9 @@ pub(super) fn paper_of(sheet: &CycleSheet, notation: &Notation<'_>) -> [f64; 2] 
     [CyclePanel::TurningMoment.per_mm(sheet, notation), radians_per_mm(sheet)]
 }
 
+/// A crossing farther from the mean than this part of it is a leap.
+const LEAP: f64 = 1e-6;
+
 /// Degrees for a centimetre.
 const ANGLES: [f64; 14] = [1.0, 2.0, 3.0, 6.0, 10.0, 12.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0];
 
@@ -329,6 +332,24 @@ fn numbers_of_axis(requests: &mut Vec<Request>, sheet: &CycleSheet, x: &dyn Fn(f
         request.optional = true;
         requests.push(request);
     }
+}
+
+/// The sense of the motion where the angle of the input falls: everything is told from right to left then.
+fn way_of_motion(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    sheet: &CycleSheet,
+    (x, bottom): (&dyn Fn(f64) -> f64, f64),
+) {
+    if !sheet.falling {
+        return;
+    }
+    let from = Point::new(x(sheet.period), bottom + 8.0);
+    let mut own = Group::new("way-of-motion");
+    arrow(&mut own, from, from - Vec2::new(14.0, 0.0), THIN);
+    group.group(own);
+    let site = Site::Around { at: from, radius: 1.0, toward: Some(0.0) };
+    requests.push(Request::new(Rich::italic("ω"), SMALL, site, "label motion-name"));
 }
 
 /// The height of a curve at an angle.
@@ -429,8 +450,11 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>, shown: Shown) -> 
             requests.push(request);
         }
     }
+    let mean = sheet.constant.and_then(|side| sheet.curves[side].first()).map(|[_, mean]| *mean);
     for (index, crossing) in crossings.iter().enumerate() {
-        let place = at([crossing.at, crossing.torque]);
+        // Where the curve leaps over the mean line, the crossing is on that line.
+        let leaps = |mean: &f64| (crossing.torque - mean).abs() > LEAP * mean.abs();
+        let place = at([crossing.at, mean.filter(leaps).unwrap_or(crossing.torque)]);
         group.mark(dot(place, 0.55).class("crossing"));
         let [highest, lowest] = sheet.extremes.unwrap_or([usize::MAX; 2]);
         let speed = |sub: &str| Some(Rich::italic("ω").sub(sub));
@@ -447,6 +471,7 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>, shown: Shown) -> 
         }
     }
     strokes_of_engine(&mut group, &mut requests, sheet, notation, (&x, y(range(sheet)[1])));
+    way_of_motion(&mut group, &mut requests, sheet, (&x, y(range(sheet)[0]).max(y(0.0))));
     numbers_of_axis(&mut requests, sheet, &x, y(0.0));
     let top = Point::new(x(0.0), y(range(sheet)[1]) - 5.0);
     let name = Rich::italic("T").up("\u{a0}/\u{a0}").up(&human::pretty(&unit.symbol));
@@ -522,6 +547,8 @@ fn energy(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
     if by_angle {
         axes(&mut group, sheet, [0.0, most], &x, &y);
         numbers_of_axis(&mut requests, sheet, &x, 0.0);
+        let least = sheet.levels.iter().copied().fold(0.0, f64::min);
+        way_of_motion(&mut group, &mut requests, sheet, (&x, y(least)));
     } else {
         arrow(&mut group, Point::ORIGIN, Point::new(width + 6.0, 0.0), THIN);
         arrow(&mut group, Point::ORIGIN, Point::new(0.0, y(most) - 5.0), THIN);
