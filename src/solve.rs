@@ -5,11 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
-use crate::graphical::construction::{Act, Calculation, Reading};
+use crate::graphical::construction::{Act, Calculation, Construction, Reading};
 use crate::graphical::cycle::OwnTorque;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::cycle::{Cycle, CycleQuantity, Sides};
-use crate::mechanism::force::{Force, Share};
+use crate::mechanism::force::{Force, Heaviness, LoadKind, Share, Size};
 use crate::mechanism::quantity::{
     Answer, Asked, Indeterminate, Method, Nature, Order, Quantity, Stuck, Unit,
 };
@@ -270,7 +270,7 @@ fn unknown_places(mechanism: &Mechanism, solution: &mut Solution) {
 
 /// A velocity or an acceleration whose bound leaves no three digits certain is none: next to a dead centre rounding grows
 /// without limit, and what lies below its bound would be told as zero. Against the rest of its polygon small ones may be
-/// known less well. Rooms that the scene states are its own to say.
+/// known less well. Rooms that the scene states are its own to say. So are forces of which not even the size is known.
 fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
     let construction = &solution.construction;
     if construction.rooms {
@@ -328,12 +328,85 @@ fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
         bound > CERTAIN * size
             && compared_to(&asked.quantity).is_some_and(|to| to > 0.0 && bound > CERTAIN * SMALL * to)
     };
-    let unclear: Vec<bool> = mechanism.asked.iter().zip(&construction.answers).map(is_unclear).collect();
+    // Of forces what would be told as zero though what acts is no more than what its bound leaves open.
+    let forces = what_acts(mechanism, construction);
+    let is_lost = |(asked, reading): (&Asked, &Reading)| {
+        let acts = match asked.quantity {
+            Quantity::Force(of, _) => forces[usize::from(is_torque(of)?)],
+            _ => return None,
+        };
+        let (Answer::Scalar { bound, .. } | Answer::Vector { bound, .. }) = reading.answer else {
+            return None;
+        };
+        (reading.zero && acts > 0.0 && bound > CERTAIN * SMALL * acts).then_some(())
+    };
+    let unclear: Vec<bool> = mechanism
+        .asked
+        .iter()
+        .zip(&construction.answers)
+        .map(|both| is_unclear(both) || is_lost(both).is_some())
+        .collect();
     for (reading, unclear) in solution.construction.answers.iter_mut().zip(unclear) {
         if unclear {
             reading.answer = Answer::Indeterminate(Indeterminate::Unclear);
         }
     }
+}
+
+/// Whether a quantity of forces is a torque, not a force; none of what is neither.
+fn is_torque(of: Force) -> Option<bool> {
+    match of {
+        Force::Vector(_) | Force::Along { .. } | Force::Across { .. } | Force::Drive(_) | Force::Pull(_) => {
+            Some(false)
+        }
+        Force::Torque(_) | Force::LoadTorque(_) | Force::Twist(_) | Force::Moment(..) => Some(true),
+        Force::Spin | Force::InertiaTorque(_) | Force::Offset(_) | Force::Arm(..) => None,
+    }
+}
+
+/// How large what acts is: the largest force that is given, or that was found with certain digits, and the largest torque.
+fn what_acts(mechanism: &Mechanism, construction: &Construction) -> [f64; 2] {
+    let given = &mechanism.forces;
+    let mut most = [0.0_f64; 2];
+    let mut note = |is_torque: bool, size: f64| {
+        let own = &mut most[usize::from(is_torque)];
+        *own = own.max(size.abs());
+    };
+    for load in &given.loads {
+        match load.kind {
+            LoadKind::Force { size: Size::Given(size), .. } => note(false, size.value),
+            LoadKind::Vector { parts: [x, y], .. } => note(false, libm::hypot(x.value, y.value)),
+            LoadKind::Torque { size: Size::Given(size), .. } => note(true, size.value),
+            LoadKind::Force { .. } | LoadKind::Torque { .. } => {}
+        }
+    }
+    let fastest = construction.longest(Order::Acceleration);
+    for mass in &given.masses {
+        let g = given.gravity.g.value;
+        let [kilograms, weight] = match mass.heaviness {
+            Heaviness::Mass(mass) => [mass.value, mass.value * g],
+            Heaviness::Weight(weight) => [weight.value / g, weight.value],
+            Heaviness::None => [0.0; 2],
+        };
+        note(false, kilograms * fastest);
+        if given.gravity.acts {
+            note(false, weight);
+        }
+    }
+    for (asked, reading) in mechanism.asked.iter().zip(&construction.answers) {
+        let Quantity::Force(of, _) = asked.quantity else { continue };
+        let (size, bound) = match reading.answer {
+            Answer::Scalar { value, bound } => (value.abs(), bound),
+            Answer::Vector { value: [x, y], bound } => (libm::hypot(x, y), bound),
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => continue,
+        };
+        if let Some(is_torque) = is_torque(of).filter(|_| bound <= CERTAIN * size) {
+            note(is_torque, size);
+        }
+    }
+    let [force, torque] = most;
+    let size = construction.space.size();
+    [if size > 0.0 { force.max(torque / size) } else { force }, torque.max(force * size)]
 }
 
 /// Three digits are certain.

@@ -897,3 +897,52 @@ fn an_offset_is_at_infinity_where_a_couple_acts_alone() {
         assert!(matches!(found, Answer::Indeterminate(_)), "{at}: {found:?}");
     }
 }
+
+/// A crank and a rod of one length, ever nearer to where the block stands at the crank's pivot and may stay there: P / cos θ in
+/// the rod, 2 r P sin θ at the crank. Either digits are right, or a number is refused; none is told as zero.
+#[test]
+fn next_to_a_change_point_no_force_is_told_as_zero() {
+    let (mut told, mut refused) = (0, 0);
+    for away in [1.0, 1e-1, 1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5] {
+        let angle: f64 = 90.0 - away;
+        for masses in [
+            "",
+            r#""masses": { "3": { "mass": 2, "inertia": 0.003, "at": [0.05, 0] }, "4": { "mass": 1 } },"#,
+        ] {
+            let scene = read(&format!(
+                r#"{{ "fixed": {{ "O": [0, 0] }},
+                "links": {{ "2": {{ "joins": ["O", "A"], "length": 0.1 }}, "3": {{ "joins": ["A", "B"], "length": 0.1 }} }},
+                "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O" }} }} ],
+                "near": {{ "B": [{}, 0] }}, "input": {{ "link": 2, "angle": {angle} }}, {masses}
+                "loads": [ {{ "on": 4, "force": 1500, "direction": 180 }} ], "find": ["T(2)", "F(3,4)"] }}"#,
+                0.2 * libm::cos(angle.to_radians())
+            ));
+            let wanted = [300.0 * libm::sin(angle.to_radians()), 1500.0 / libm::sin(away.to_radians())];
+            match solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene) {
+                Err(error) => {
+                    assert!(away < 1e-2, "{away}: {error}");
+                    refused += 2;
+                }
+                Ok(solved) => {
+                    for (reading, wanted) in solved.solution.construction.answers.iter().zip(wanted) {
+                        let (size, bound) = match reading.answer {
+                            Answer::Scalar { value, bound } => (value.abs(), bound),
+                            Answer::Vector { value: [x, y], bound } => (libm::hypot(x, y), bound),
+                            _ => {
+                                refused += 1;
+                                continue;
+                            }
+                        };
+                        told += 1;
+                        assert!(!reading.zero, "{away}: {size} within {bound}");
+                        assert!(
+                            (size - wanted).abs() <= bound + 1e-12 * wanted,
+                            "{away}: {size}, {wanted}, {bound}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    assert!(told > 15 && refused > 3, "{told} told, {refused} refused");
+}
