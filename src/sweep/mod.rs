@@ -66,7 +66,10 @@ impl InputKind {
     pub fn told(self, mechanism: &Mechanism) -> String {
         match self {
             Self::Angle(link) => format!("angle of link {}", mechanism.link(link).number),
-            Self::Slide(slide) => format!("place of slide {}", slide + 1),
+            Self::Slide(slide) => match mechanism.pin_of_slide(slide) {
+                Some(pin) => format!("place of {} along its guide", mechanism.point(pin).name),
+                None => format!("place of slide {}", slide + 1),
+            },
             Self::Time => "time".to_owned(),
         }
     }
