@@ -108,6 +108,8 @@ const WEIGHED: usize = 24;
 const FEW: u64 = 24;
 /// Two vectors are as long as each other within this part.
 const AS_LONG: f64 = 0.05;
+/// What leaves nothing of a vector leaves no larger part of its room.
+const NOTHING: f64 = 0.01;
 /// Whatever explains an answer brings it nearer by as many tolerances.
 const MOVES: f64 = 0.1;
 /// So many of the closest explanations are asked what follows from them by other ways.
@@ -256,16 +258,18 @@ pub(super) fn judge(case: &Case<'_>, of_another: bool) -> Judgement {
             let usual = case.rooms[index].of_size(size(numbers), case.right_size(index));
             let allowed = rooms[index].or(usual).times(EXPLAINED).and(most);
             let allowed = if lost { allowed.times(STRICT) } else { allowed };
+            let known = faults.last().is_some_and(|fault| !fault.is_open());
+            // A line may leave nothing of a vector: that is met by what is nothing, wherever it points.
+            let vanishes = shown
+                && known
+                && case.hands_in_nothing(index)
+                && size(numbers) <= NOTHING * case.rooms[index].by;
+            let allowed = if vanishes { Room { turn: f64::INFINITY, ..case.rooms[index] } } else { allowed };
             // That something is nothing shows nothing, but of what is left out by whoever has something else right; and a
             // small number where a mistake that is known leads to one as small.
             let tells = match (case.hands_in_nothing(index), case.is_zero(index)) {
-                (true, true) => shown && faults.last().is_some_and(Fault::leaves_out),
-                (true, false) => {
-                    let known = faults.last().is_some_and(|fault| !fault.is_open());
-                    // A line may leave nothing of a vector.
-                    let nothing = size(numbers) <= case.rooms[index].by;
-                    shown && known && (nothing || case.meets(index, numbers))
-                }
+                (true, true) => vanishes || shown && faults.last().is_some_and(Fault::leaves_out),
+                (true, false) => vanishes || shown && known && case.meets(index, numbers),
                 (false, _) => case.tells(index, numbers, allowed),
             };
             let met = || {

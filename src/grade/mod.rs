@@ -211,8 +211,10 @@ pub fn grade_with_overlay(
         .collect();
     // What is wrong may show nowhere in a figure: nobody looks for it there.
     let is_wrong = judgement.verdicts.contains(&Verdict::Wrong);
-    let nothing =
-        own.vectors.is_empty() && own.points.is_empty() && own.places.is_empty() && own.forces.is_empty();
+    let nothing = own.vectors.is_empty()
+        && !own.points.iter().any(|point| point.amiss)
+        && own.places.is_empty()
+        && own.forces.is_empty();
     if is_wrong
         && faults.is_empty()
         && nothing

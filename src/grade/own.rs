@@ -108,11 +108,17 @@ impl<'f, 's> Figures<'f, 's> {
                 });
             }
         }
-        for point in points.iter().filter(|point| self.amiss[point.index]) {
-            let diagram = order.diagram();
-            own.points.push(OwnPoint { diagram, label: point.label, letter: point.letter, at: point.at });
+        for point in points {
+            let (diagram, amiss) = (order.diagram(), self.amiss[point.index]);
+            own.points.push(OwnPoint {
+                diagram,
+                label: point.label,
+                letter: point.letter,
+                at: point.at,
+                amiss,
+            });
             // An image to which no vector of his leads is one from the pole.
-            if matches!(point.label, Label::Image { .. }) && !ended.contains(&point.label) {
+            if amiss && matches!(point.label, Label::Image { .. }) && !ended.contains(&point.label) {
                 let (from, to, head) = ([0.0; 2], point.at, point.label);
                 own.vectors.push(HandedIn { diagram, from, to, head, whole: true });
             }

@@ -116,6 +116,8 @@ pub struct OwnPoint {
     pub letter: Label,
     /// Where it stands, mm from the pole, y up.
     pub at: Mm2,
+    /// Whether it is not right: what is right is named by the sheet.
+    pub amiss: bool,
 }
 
 /// So many times as far from the pole as the farthest image of the right polygon stands what is still drawn of the
@@ -135,6 +137,8 @@ const DOT: f64 = 1.2;
 const LEAST_REACH: f64 = 20.0;
 /// A right polygon is drawn at least so far from its pole, mm: beside one that is many times too large it would be a speck.
 const TO_BE_SEEN: f64 = 45.0;
+/// And no farther than this.
+const ON_A_SHEET: f64 = 200.0;
 
 /// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
 /// they are known to be drawn, and vectors as they were handed in. Before them the skeleton with the places that he has
@@ -255,9 +259,9 @@ impl Drawings<'_> {
         }
         for polygon in &self.right.diagrams {
             let here = self.told(|spot| matches!(spot, Spot::In(kind, _) if kind == polygon.kind));
-            // Drawn at the student's scale what is right may be a speck.
-            let larger = (TO_BE_SEEN / extent(polygon).max(f64::MIN_POSITIVE)).max(1.0);
-            let larger = if extent(polygon) > 0.0 { larger } else { 1.0 };
+            // Drawn at the student's scale what is right may be a speck, or larger than the sheet.
+            let extent = extent(polygon);
+            let larger = if extent > 0.0 { extent.clamp(TO_BE_SEEN, ON_A_SHEET) / extent } else { 1.0 };
             let over = self.over((polygon, larger), &here);
             let panel = fitted(room, |times| self.polygon((polygon.kind, larger), &over, times));
             let note = over.beyond.then_some(self.notation.words.overlay_beyond);
@@ -364,16 +368,20 @@ impl Drawings<'_> {
         arrows.retain(|arrow| far(arrow.from) <= reach);
         // One from the pole first: what it leads to is named at the border, where it is circled, and at no other line to it.
         arrows.sort_by_key(|arrow| far(arrow.from) > 0.0);
-        let mut gone: Vec<(Label, Mm2)> = Vec::new();
+        let mut gone: Vec<(Label, Mm2, Mm2)> = Vec::new();
         for arrow in &mut arrows {
             let end = arrow.to;
             arrow.to = as_far_as(reach, arrow.from, end);
             if arrow.to != end {
-                arrow.named = !gone.iter().any(|(label, at)| *label == arrow.head && near(*at, end));
-                gone.push((arrow.head, end));
+                arrow.named = !gone.iter().any(|(label, at, _)| *label == arrow.head && near(*at, end));
+                gone.push((arrow.head, end, arrow.to));
             }
         }
-        let onto_border = |at: Mm2| if far(at) > reach { at.map(|mm| mm * reach / far(at)) } else { at };
+        let onto_border = |at: Mm2| {
+            let ended = gone.iter().find(|(_, end, _)| near(*end, at)).map(|(.., border)| *border);
+            let on_its_way = || if far(at) > reach { at.map(|mm| mm * reach / far(at)) } else { at };
+            ended.unwrap_or_else(on_its_way)
+        };
         // A point beyond the border has its name at the end of what leads to it.
         points.retain(|point| far(point.at) <= reach);
         let circles = faults.iter().filter_map(|(number, fault)| {
@@ -864,7 +872,8 @@ fn draw_arrows(
         group.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
     }
     // A point to which nothing of his leads is a dot.
-    for point in points {
+    let amiss = || points.iter().filter(|point| point.amiss);
+    for point in amiss() {
         let touches = |arrow: &Arrow| near(arrow.from, point.at, SAME) || near(arrow.to, point.at, SAME);
         if !arrows.iter().any(touches) {
             let dot = Shape::Circle { centre: page(point.at), radius: DOT / 2.0 };
@@ -875,7 +884,7 @@ fn draw_arrows(
     // The names at each place, once: of his points as he letters them, then of what follows; what stands where it should is
     // named there already.
     let mut named: Vec<(Mm2, Vec<Label>)> = Vec::new();
-    let letters = points.iter().map(|point| (point.at, point.label, point.letter));
+    let letters = amiss().map(|point| (point.at, point.label, point.letter));
     let heads = arrows.iter().filter(|arrow| arrow.named).map(|arrow| (arrow.to, arrow.head, arrow.head));
     for (at, label, letter) in letters.chain(heads) {
         let stands = right.images.iter().any(|image| image.label == label && near(image.at, at, TWICE));
