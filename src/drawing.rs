@@ -5,13 +5,13 @@ use thiserror::Error;
 use crate::check::{Unconfirmed, confirm, confirm_sweep};
 use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
-use crate::mechanism::quantity::{Answer, Dimension};
+use crate::mechanism::quantity::Answer;
 use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
 use crate::report::{diagnose, short};
 use crate::scene::{Diagnostic, Scene, Subject};
-use crate::sheet::{self, Figure, Language};
+use crate::sheet::{self, Figure, Language, Wished};
 use crate::solve::{Settings, SolveError, Solved, governed, solve_with};
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
@@ -191,7 +191,7 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
             return Err(NoFigure::Wish(what.to_owned()));
         }
     }
-    let (extent, solved) = wish.solve(scene, &names, None)?;
+    let solved = wish.solve(scene, &names, None)?;
     let language = wish.language(scene);
     let compose = |solved: &Solved| {
         let construction = &solved.solution.construction;
@@ -201,14 +201,14 @@ pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
             (Kind::Steps, _) => sheet::step_by_step(scene, construction, language),
             (Kind::Solution, []) => sheet::solution(scene, construction, language),
             (Kind::Solution, names) => {
-                let shown = Shown { scene, extent, language, settings: wish.settings };
-                sheet::stack(&shown.singles(construction, names)?)
+                let shown = Shown { scene, language, settings: wish.settings };
+                shown.figures(construction, names)?
             }
         })
     };
     let first = Drawing::of(scene, solved, compose)?;
     let Drawing { solved, mut figure, confirmed } = on_its_paper(scene, wish.kind, first, |scales| {
-        Drawing::of(scene, wish.solve(scene, &names, Some(scales))?.1, compose)
+        Drawing::of(scene, wish.solve(scene, &names, Some(scales))?, compose)
     })?;
     let construction = &solved.solution.construction;
     if let Err(why) = confirmed {
@@ -284,7 +284,7 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Film, NoFigure> {
     if !names.is_empty() {
         return Err(NoFigure::Wish("--as steps draws all figures; leave out --figure".to_owned()));
     }
-    let (_, solved) = wish.solve(scene, &names, None)?;
+    let solved = wish.solve(scene, &names, None)?;
     let language = wish.language(scene);
     let film = || {
         let frames = sheet::film(scene, &solved.solution.construction, language).into_iter();
@@ -355,12 +355,7 @@ impl Wish {
 
     /// Solves, with these scales, or with those of the page. Which these are is found by paging the sheet's text: who knows
     /// them already is spared that.
-    fn solve(
-        &self,
-        scene: &Scene,
-        names: &[&str],
-        scales: Option<Scales>,
-    ) -> Result<(Extent, Solved), NoFigure> {
+    fn solve(&self, scene: &Scene, names: &[&str], scales: Option<Scales>) -> Result<Solved, NoFigure> {
         let of_page = match self.kind {
             Kind::Question => sheet::scale::for_question,
             Kind::Steps => sheet::scale::for_steps,
@@ -379,7 +374,7 @@ impl Wish {
             let what = format!("a diagram would be {} m across", short(across / 1000.0));
             return Err(too_large(scene, &what).into());
         }
-        Ok((extent, solved))
+        Ok(solved)
     }
 }
 
@@ -389,7 +384,6 @@ const CONTROLLING_FORCE: &str = "controlling-force";
 /// What every single figure of a wish has in common.
 struct Shown<'a> {
     scene: &'a Scene,
-    extent: Extent,
     language: Language,
     settings: Settings,
 }
@@ -408,39 +402,18 @@ impl Shown<'_> {
         figure.ok_or_else(|| wish("there is equilibrium at no place of its range"))
     }
 
-    fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, NoFigure> {
-        let mut all: Vec<Figure> = Vec::new();
-        for name in names {
-            let before = all.iter().map(sheet::lettered).sum();
-            all.push(self.single(construction, name, before)?);
-        }
-        Ok(all)
-    }
-
-    /// A figure by its name, after so many panels with letters.
-    fn single(&self, construction: &Construction, name: &str, before: usize) -> Result<Figure, NoFigure> {
-        let scene = self.scene;
-        if name == CONTROLLING_FORCE {
-            return self.controlling_force();
-        }
-        let kind = sheet::auxiliary(name, scene).ok().flatten();
-        let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
-        // A construction that outgrows the sheet is drawn once more to a scale of its own.
-        let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
-        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(scene, construction, drawing));
-        let again = smaller.zip(kind).map(|(length, kind)| -> Result<Solved, NoFigure> {
-            let choose = |scene: &Scene, extents| {
-                sheet::scale::for_scene(scene, extents).with(Dimension::Length, length)
-            };
-            let solved = solve_with(scene, self.extent, &[kind], self.settings, choose)?;
-            if !self.settings.unchecked {
-                confirm(scene, &solved)?;
-            }
-            Ok(solved)
+    fn figures(&self, construction: &Construction, names: &[&str]) -> Result<Figure, NoFigure> {
+        let wished = names.iter().map(|name| {
+            Ok(match *name {
+                CONTROLLING_FORCE => Wished::Drawn(self.controlling_force()?),
+                name => Wished::Named(name),
+            })
         });
-        let again = again.transpose()?;
-        let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);
-        sheet::single_after(before, scene, construction, name, self.language).ok_or_else(|| {
+        let wished: Vec<Wished<'_>> = wished.collect::<Result<_, NoFigure>>()?;
+        sheet::figures(self.scene, construction, &wished, self.language).map_err(|place| {
+            let name = names[place];
+            let kind = sheet::auxiliary(name, self.scene).ok().flatten();
+            let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
             let why = drawing.and_then(|drawing| drawing.refused);
             let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
             NoFigure::Wish(format!("figure {name}: {why}"))
@@ -463,7 +436,7 @@ mod tests {
         let scene = crate::scene::read(GENEVA, "geneva").unwrap();
         let wish = Wish::default();
         let draw = |scales: Option<Scales>, wrong: bool| {
-            let (_, mut solved) = wish.solve(&scene, &[], scales)?;
+            let mut solved = wish.solve(&scene, &[], scales)?;
             let image = solved.solution.construction.diagrams.iter_mut().flat_map(|d| &mut d.images);
             // An image a tenth of a millimetre off its place, as a slip while the sheet is drawn would have it.
             if let Some(image) = image.filter(|_| wrong).find(|image| image.at != [0.0; 2]) {

@@ -24,6 +24,7 @@ mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
 mod fair_examiner;
+mod far_and_near;
 mod far_forces;
 mod fifth_examiner;
 mod force_sheets;

@@ -40,7 +40,7 @@ fn told(figure: &Figure) -> Vec<String> {
 }
 
 /// Crank-rockers and double rockers, by a generator of remainders.
-fn four_bars(count: usize) -> Vec<serde_json::Value> {
+pub fn four_bars(count: usize) -> Vec<serde_json::Value> {
     let mut state = 20_261_128_u64;
     let mut between = |low: f64, high: f64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -258,12 +258,12 @@ fn power_is_no_second_load() {
 }
 
 /// The panels of a sheet whose drawing is of this class.
-fn panels<'a>(figure: &'a Figure, class: &str) -> Vec<&'a Group> {
+pub fn panels<'a>(figure: &'a Figure, class: &str) -> Vec<&'a Group> {
     within(&figure.root).into_iter().filter(|group| has(group, class)).collect()
 }
 
 /// Where a joint stands in a panel.
-fn joint(panel: &Group, name: &str) -> Point {
+pub fn joint(panel: &Group, name: &str) -> Point {
     let all = within(panel);
     let own = all.iter().find(|group| has(group, "joint") && data(group, "point") == Some(name));
     let circle = own.into_iter().flat_map(|own| marks(own)).find_map(|mark| match mark.shape {

@@ -1516,6 +1516,8 @@ pub enum Act {
         order: Order,
         /// ω or ε, or the rate along the guide, SI, signed.
         rate: f64,
+        /// By how much the two trial polygons miss what was left open, SI, signed; none where their images tell that.
+        missed: Option<[f64; 2]>,
     },
     /// Choose the pole.
     MarkPole,

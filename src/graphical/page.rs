@@ -61,19 +61,35 @@ impl Construction {
 }
 
 impl Construction {
-    /// The same on a page of another scale of lengths, metres per millimetre: the skeleton, its centres and what is carried
-    /// over by them. Arrows of velocities on it, polygons and what the steps read off these are as they were.
+    /// The same on a page of another scale of lengths, metres per millimetre: the skeleton, its centres, what is carried
+    /// over by them and what is constructed on it. Arrows of velocities on it, polygons and what the steps read off these are
+    /// as they were.
     #[must_use]
     pub fn with_lengths_at(&self, metres_per_mm: f64) -> Self {
         let mut own = self.clone();
         let by = self.space.metres_per_mm / metres_per_mm;
         space(&mut own.space, by, metres_per_mm);
+        for drawing in own.auxiliary.iter_mut().filter(|drawing| !drawing.is_lever()) {
+            auxiliary(drawing, by);
+        }
         if let Some(drawn) = &mut own.circle {
             let by = lengths_only(by);
             centres(drawn, by.length());
             for transfer in &mut drawn.transfers {
                 transferred(transfer, by, transfer.si_per_mm);
             }
+        }
+        own
+    }
+
+    /// The same with arrows of velocities on the skeleton at another scale, SI units per millimetre, and nothing else of it.
+    #[must_use]
+    pub fn with_arrows_at(&self, si_per_mm: f64) -> Self {
+        let mut own = self.clone();
+        for transfer in own.circle.iter_mut().flat_map(|circle| &mut circle.transfers) {
+            let by = transfer.si_per_mm / si_per_mm;
+            let arrows = Scales::new(|dimension| if dimension == Dimension::Velocity { by } else { 1.0 });
+            transferred(transfer, arrows, si_per_mm);
         }
         own
     }

@@ -8,7 +8,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Direction, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll};
 use crate::plan::Plan;
 
-use super::construction::{Construction, Label, OtherPosition, TransferInk};
+use super::construction::{Construction, Label, OtherPosition, Spot, TransferInk};
 use super::link_figure;
 
 /// The scale factors of a solution: for each dimension, how much one millimetre of paper stands for.
@@ -261,15 +261,20 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         }
     });
     let mut diagrams: Vec<DiagramExtent> = drawn.collect();
-    // Arrows on the skeleton, where there is no polygon: half as long as a polygon would be.
+    // Arrows on the skeleton, where there is no polygon: half as long as a polygon would be. One at a centre, which may lie
+    // anywhere, counts where there is no other.
     let arrows =
         record.circle.iter().flat_map(|c| &c.transfers).flat_map(|t| &t.ink).filter_map(|ink| match ink {
             TransferInk::Velocity { at, tip, .. } | TransferInk::Turned { at, tip, .. } => {
-                Some(2.0 * libm::hypot(tip[0] - at[0], tip[1] - at[1]) * scales.of(Dimension::Velocity))
+                let at_centre = matches!(ink, TransferInk::Velocity { of: Spot::Centre(_), .. });
+                let length = libm::hypot(tip[0] - at[0], tip[1] - at[1]) * scales.of(Dimension::Velocity);
+                Some((at_centre, 2.0 * length))
             }
             _ => None,
         });
-    let longest = arrows.fold(0.0, f64::max);
+    let (at_centres, at_points): (Vec<_>, Vec<_>) = arrows.partition(|(at_centre, _)| *at_centre);
+    let longest = |all: Vec<(bool, f64)>| all.into_iter().map(|(_, length)| length).reduce(f64::max);
+    let longest = longest(at_points).or_else(|| longest(at_centres)).unwrap_or(0.0);
     if longest > 0.0 && record.diagram(DiagramKind::Velocity).is_none() {
         let arrows = DiagramExtent {
             kind: DiagramKind::Velocity,

@@ -1216,18 +1216,18 @@ impl<'m> Draughtsman<'m> {
         // sides of it, so that the trial images lie near the true one and the polygon fills its panel.
         let loud = !std::mem::replace(&mut self.silent, true);
         let guess = self.trial_rate(order, driver);
-        let rough = self.rate_by_trial(order, trial, steps, level, [0.0, guess]).value();
+        let rough = self.rate_by_trial(order, trial, steps, level, [0.0, guess]).0.value();
         self.silent = !loud;
         let large = rough.is_normal() && rough.abs() > LEAST_RATE * guess;
         let rates = if large { around(rough) } else { [0.0, guess] };
         self.step(order, &self.links_of_trial(trial), Vec::new());
         self.act(Act::TryPolygon { driver, closing, order, rates });
-        let rate = self.rate_by_trial(order, trial, steps, level, rates);
-        self.act(Act::TrialRate { driver, order, rate: rate.value() });
+        let (rate, missed) = self.rate_by_trial(order, trial, steps, level, rates);
+        self.act(Act::TrialRate { driver, order, rate: rate.value(), missed });
         self.try_rate(order, driver, rate);
     }
 
-    /// A driver's rate, by two trial polygons with assumed rates.
+    /// A driver's rate, by two trial polygons with assumed rates, and by how much these miss where their images do not tell it.
     fn rate_by_trial(
         &mut self,
         order: Order,
@@ -1235,7 +1235,7 @@ impl<'m> Draughtsman<'m> {
         steps: &[GroupStep],
         level: usize,
         assumed: [f64; 2],
-    ) -> Amount {
+    ) -> (Amount, Option<[f64; 2]>) {
         let (driver, closing) = trial.drivers[level];
         let mark = self.mark(order);
         let rates = assumed.map(|rate| self.board.amount(Given::exact(rate)));
@@ -1260,7 +1260,7 @@ impl<'m> Draughtsman<'m> {
         let reason = self.reason(&links);
         match trials {
             [(Some(first), _), (Some(second), _)] => {
-                self.rate_by_images(order, closing, [first, second], rates, reason)
+                (self.rate_by_images(order, closing, [first, second], rates, reason), None)
             }
             [(_, Some(first)), (_, Some(second))] => {
                 let gained = self.board.difference(second, first);
@@ -1268,9 +1268,9 @@ impl<'m> Draughtsman<'m> {
                 let part = self.board.quotient(wanted, gained, reason);
                 let step = self.board.difference(rates[1], rates[0]);
                 let further = self.board.product(part, step);
-                self.board.sum(rates[0], further)
+                (self.board.sum(rates[0], further), Some([first.value(), second.value()]))
             }
-            _ => self.no_amount(Missing::rate_of(order, driver)),
+            _ => (self.no_amount(Missing::rate_of(order, driver)), None),
         }
     }
 

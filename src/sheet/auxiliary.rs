@@ -4,6 +4,7 @@ use std::cell::RefCell;
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::compose;
 use super::figure::{Group, Mark, Pen, Shape, Tone};
 use super::font::Face;
 use super::human;
@@ -12,6 +13,7 @@ use super::labels::{self, Request, Site};
 use super::notation::Notation;
 use super::overlap::clip;
 use super::printed::{Apart, Figures, Key};
+use super::reach::{Reach, Window};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
 use super::steps::{self, Item};
@@ -25,8 +27,10 @@ use crate::mechanism::quantity::{DiagramKind, Dimension, Method, Order, Quantity
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 
-/// The figure grows to this size at most to take a named point in; what lies further out is off the sheet.
-const LARGEST: (f64, f64) = (168.0, 170.0);
+/// What names about such a figure, its caption and the words below it need of the paper at least, width and height, mm, and how
+/// high it is at most, in parts of the paper; what lies further out is off the sheet.
+const AROUND: (f64, f64) = (8.0, 40.0);
+const MOST_HIGH: f64 = 0.65;
 /// Blank kept between a named point and the border.
 const BORDER: f64 = 9.0;
 /// Places closer than this on paper have one label.
@@ -67,20 +71,23 @@ pub fn title(kind: &Auxiliary, notation: &Notation<'_>) -> Rich {
 
 /// The skeleton with the construction over it; the lever stands by itself.
 #[must_use]
-pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Group {
+pub fn draw(drawing: &AuxiliaryDrawing, reach: &Reach<'_>, notation: &Notation<'_>) -> Group {
+    let construction = &*reach.construction;
+    let metres_per_mm = construction.space.metres_per_mm;
     if drawing.is_lever() {
-        return lever(drawing, construction.space.metres_per_mm, notation);
+        return lever(drawing, metres_per_mm, notation);
     }
     // The arcs by which the skeleton was drawn belong to its own figure.
     let mut bare = construction.clone();
     bare.space.lines.clear();
     bare.others.clear();
-    skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |ink, places| {
-        let metres_per_mm = construction.space.metres_per_mm;
-        let plate =
-            Plate { drawing, notation: *notation, places, window: window(drawing, ink), metres_per_mm };
-        Overlay { ink: plate.strokes(), labels: plate.labels() }
-    })
+    let mut group = skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, places| {
+        let plate = Plate { drawing, notation: *notation, places, window: reach.window, metres_per_mm };
+        let within = Some(reach.paper(notation));
+        Overlay { ink: plate.strokes(), labels: plate.labels(), within }
+    });
+    group.class = "construction-on-skeleton".to_owned();
+    group
 }
 
 /// The turned velocity polygon with the forces on it.
@@ -98,43 +105,46 @@ fn lever(drawing: &AuxiliaryDrawing, metres_per_mm: f64, notation: &Notation<'_>
     group
 }
 
-/// The skeleton's ink with as many named points as find room, the nearest first.
-fn window(drawing: &AuxiliaryDrawing, skeleton: Rect) -> Rect {
+/// The skeleton's ink with as many named points as find room, the nearest first, then whole circles and closed curves; these are
+/// needed, and then come the feet to which lines are drawn.
+pub(super) fn window(drawing: &AuxiliaryDrawing, skeleton: Rect, notation: &Notation<'_>) -> Window {
+    let (width, height) = compose::free_paper(notation.scene);
+    let most = (width - AROUND.0, (height - AROUND.1).min(MOST_HIGH * height));
     let mut window = skeleton.inflate(BORDER, BORDER);
     let mut grow = |with: Rect| {
         let grown = window.union(with);
-        let fits = grown.width() <= LARGEST.0.max(window.width())
-            && grown.height() <= LARGEST.1.max(window.height());
+        let fits =
+            grown.width() <= most.0.max(window.width()) && grown.height() <= most.1.max(window.height());
         if fits {
             window = grown;
         }
+        usize::from(!fits)
     };
     let middle = skeleton.center();
     let mut places: Vec<Point> = drawing.points.iter().map(|p| page(p.at)).collect();
     places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
-    for at in places {
-        grow(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
-    }
+    let about = |at: Point| Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER));
+    let mut lost: usize = places.into_iter().map(|at| grow(about(at))).sum();
     // Whole circles where there is room for them.
     for stroke in &drawing.strokes {
         if let StrokeShape::Circle { centre, radius } = stroke.shape {
             let size = 2.0 * (radius + 2.0);
-            grow(Rect::from_center_size(page(centre), (size, size)));
+            lost += grow(Rect::from_center_size(page(centre), (size, size)));
         }
         if let StrokeShape::Curve { points, ends: [None, None] } = &stroke.shape
             && let Some(first) = points.first()
         {
             let start = Rect::from_center_size(page(*first), (0.0, 0.0));
-            grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
+            lost += grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
         }
     }
-    // And the feet to which lines are drawn.
-    for stroke in &drawing.strokes {
+    // And the feet to which lines are drawn; a line of reference ends where the others do.
+    for stroke in drawing.strokes.iter().filter(|stroke| stroke.role != StrokeRole::Axis) {
         if let StrokeShape::Line(from, to) = stroke.shape {
             grow(Rect::from_points(page(from), page(to)).inflate(2.0, 2.0));
         }
     }
-    window
+    Window { shows: window, lost }
 }
 
 struct Plate<'a> {
@@ -208,8 +218,10 @@ impl Plate<'_> {
                     StrokeRole::Produced | StrokeRole::Axis => d.normalize() * PAST,
                     _ => d * 0.0,
                 };
-                let back = if stroke.role == StrokeRole::Axis { past } else { past * 0.0 };
-                self.line(own, from - back, to + past, to, pen);
+                let is_axis = stroke.role == StrokeRole::Axis;
+                let back = if is_axis { past } else { past * 0.0 };
+                // A line of reference leads to nothing.
+                self.line(own, from - back, to + past, if is_axis { from } else { to }, pen);
             }
             StrokeShape::Circle { centre, radius } => self.circle(own, page(*centre), *radius, pen),
             StrokeShape::RightAngle { corner, one, other } => {
@@ -518,14 +530,17 @@ fn letter(own: &str, notation: &Notation<'_>) -> Rich {
 #[must_use]
 pub fn items(
     index: usize,
-    drawing: &AuxiliaryDrawing,
     construction: &Construction,
     notation: &Notation<'_>,
     figures: &RefCell<Figures>,
 ) -> Vec<Item> {
+    // What is measured on a figure is told at the scale at which it is drawn.
+    let Some(reach) = Reach::of_auxiliary(index, construction, notation) else { return Vec::new() };
+    let construction = &*reach.construction;
+    let Some(drawing) = construction.auxiliary.get(index) else { return Vec::new() };
     // A construction has readings of its own: what it says of a quantity is not what a polygon said, but for what drives.
     let own = RefCell::new(figures.borrow().of_inputs(Apart::Auxiliary(index), notation));
-    let teller = Teller { drawing, construction, notation, figures: &own };
+    let teller = Teller { drawing, construction, window: reach.window, notation, figures: &own };
     let mut all = vec![Item::Head(title(&drawing.kind, notation).bolder())];
     all.extend(drawing.acts.iter().flat_map(|act| teller.sentences(act)).map(Item::Sentence));
     figures.borrow_mut().keep_apart(Apart::Auxiliary(index), &own.borrow(), notation);
@@ -535,12 +550,20 @@ pub fn items(
 struct Teller<'a> {
     drawing: &'a AuxiliaryDrawing,
     construction: &'a Construction,
+    /// What the figure shows of the plane.
+    window: Rect,
     notation: &'a Notation<'a>,
     /// How each number is printed.
     figures: &'a RefCell<Figures>,
 }
 
 impl Teller<'_> {
+    /// Whether a point lies in the plane, but not on the paper of the figure.
+    fn lies_beyond(&self, name: PointName) -> bool {
+        let own = self.drawing.points.iter().find(|point| point.name == name);
+        own.is_some_and(|own| !self.window.contains(page(own.at)))
+    }
+
     fn sentences(&self, act: &AuxiliaryAct) -> Vec<Rich> {
         let of_forces = self.of_masses(act).or_else(|| self.of_lever(act));
         of_forces.unwrap_or_else(|| self.act(act).into_iter().collect())
@@ -683,7 +706,10 @@ impl Teller<'_> {
                     ("mm", human::millimetres(mm)),
                     ("value", human::quantity(diameter, &n.scene.units.length)),
                 ];
-                Rich::fill(words.inflection_circle, &parts)
+                // Nobody measures what is not on his paper.
+                let beyond = self.lies_beyond(PointName::InflectionPole);
+                let template = if beyond { words.inflection_circle_beyond } else { words.inflection_circle };
+                Rich::fill(template, &parts)
             }
             AuxiliaryAct::AccelerationCentre { link, omega: rate, alpha, angle } => {
                 let parts = [

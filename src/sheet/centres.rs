@@ -5,6 +5,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::circle::{centre_name, name};
 use super::compose;
+use super::detail::{self, Spot};
 use super::figure::{Group, Mark, Moment, Pen, Shape, Tone};
 use super::growth::Births;
 use super::human;
@@ -23,8 +24,11 @@ use crate::plan::chord;
 
 /// The figure grows to this size at most to take a centre in; what lies further out is off the sheet.
 const LARGEST: (f64, f64) = (150.0, 138.0);
-/// What names and caption need around a figure that fills the paper, width and height.
-pub(super) const AROUND: (f64, f64) = (2.0, 24.0);
+/// What names, caption and running title need around a figure that fills the paper, width and height: a name stands beside a
+/// centre, half of it beyond the border.
+pub(super) const AROUND: (f64, f64) = (16.0, 36.0);
+/// And a caption with the running title.
+pub(super) const CAPTION: f64 = 20.0;
 /// Blank kept between a centre that is needed and the border: its name stands above or below it.
 const ABOUT_NEEDED: f64 = 5.0;
 /// Blank kept between another centre and the border, and about the skeleton.
@@ -70,6 +74,10 @@ fn drawn(
     births: Option<&Births<'_>>,
 ) -> Group {
     let construction = &*reach.construction;
+    let crowds = crowds(circle, reach.window);
+    // Centres that stand too near to each other are named in a detail; the pictures of the steps have none.
+    let places: Vec<(usize, Point)> = crowds.iter().enumerate().map(|(i, (at, _))| (i, *at)).collect();
+    let spots = if births.is_none() { detail::crowded(&places) } else { Vec::new() };
     let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, births, |_, places| {
         let mut chart = Chart {
             births,
@@ -77,16 +85,47 @@ fn drawn(
             notation: *notation,
             places,
             pins,
+            crowds: &crowds,
+            spots: &spots,
             window: reach.window,
             metres_per_mm: construction.space.metres_per_mm,
             overlay: Overlay { ink: Group::new("centres"), ..Overlay::default() },
         };
         chart.lines();
         chart.points();
+        chart.overlay.within = Some(reach.paper(notation));
         chart.overlay
     });
     group.class = "instant-centres".to_owned();
+    detail::add_of_ink(&mut group, &spots, notation, |crowd, at| {
+        let (_, crowd) = &crowds[crowd];
+        let site = Site::Around { at, radius: 1.5, toward: None };
+        let mut request = named(crowd, site, notation);
+        request.leader = true;
+        request
+    });
     group
+}
+
+/// The centres within the window, those of one place together.
+fn crowds(circle: &CircleDiagram, window: Rect) -> Vec<(Point, Vec<&Centre>)> {
+    let mut crowds: Vec<(Point, Vec<&Centre>)> = Vec::new();
+    for centre in &circle.centres {
+        let Some(at) = on_paper(centre).filter(|at| window.contains(*at)) else { continue };
+        match crowds.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
+            Some((_, crowd)) => crowd.push(centre),
+            None => crowds.push((at, vec![centre])),
+        }
+    }
+    crowds
+}
+
+/// The name of the centres of one place.
+fn named(crowd: &[&Centre], site: Site, notation: &Notation<'_>) -> Request {
+    let texts: Vec<Rich> = crowd.iter().map(|c| name(c.links, notation)).collect();
+    let text = Rich::join(&texts, &Rich::upright(","));
+    let names = crowd.iter().map(|c| centre_name(c.links, notation));
+    Request::new(text, SMALL, site, "label centre-name").naming(names)
 }
 
 /// The skeleton's ink with as many centres as find room.
@@ -182,6 +221,9 @@ struct Chart<'a> {
     /// Places of the mechanism's points on the page.
     places: &'a [Option<Point>],
     pins: Pins,
+    /// The centres within the window by their places, and the spots in which these crowd.
+    crowds: &'a [(Point, Vec<&'a Centre>)],
+    spots: &'a [Spot<usize>],
     window: Rect,
     metres_per_mm: f64,
     overlay: Overlay,
@@ -354,15 +396,8 @@ impl Chart<'_> {
     /// arrow of its own at its guide.
     fn points(&mut self) {
         let mut group = Group::new("centre-points");
-        let mut crowds: Vec<(Point, Vec<&Centre>)> = Vec::new();
-        for centre in &self.circle.centres {
-            let Some(at) = on_paper(centre).filter(|at| self.window.contains(*at)) else { continue };
-            match crowds.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
-                Some((_, crowd)) => crowd.push(centre),
-                None => crowds.push((at, vec![centre])),
-            }
-        }
-        for (at, crowd) in crowds {
+        for (index, (at, crowd)) in self.crowds.iter().enumerate() {
+            let at = *at;
             let at_pin = crowd.iter().any(|c| matches!(c.found, Found::Pin(_)));
             let is_pole = crowd.iter().any(|c| c.links[0] == LinkId::FRAME);
             let names: Vec<String> = crowd.iter().map(|c| centre_name(c.links, &self.notation)).collect();
@@ -376,16 +411,20 @@ impl Chart<'_> {
                 own.mark(dot(at, 0.55).class("centre").precise());
                 group.group(own);
             }
-            if at_pin && self.pins == Pins::Bare {
+            let bare = at_pin && self.pins == Pins::Bare;
+            if bare || self.spots.iter().any(|spot| spot.has(index)) {
                 continue;
             }
-            let texts: Vec<Rich> = crowd.iter().map(|c| name(c.links, &self.notation)).collect();
-            let text = Rich::join(&texts, &Rich::upright(","));
             let radius = if at_pin { PIN + 0.2 } else { 1.3 };
             let site = Site::Around { at, radius, toward: None };
-            let mut request = Request::new(text, SMALL, site, "label centre-name").naming(names).lived(born);
+            let mut request = named(crowd, site, &self.notation).lived(born);
             request.leader = true;
             self.overlay.labels.push(request);
+        }
+        let (circles, names) = detail::circles(self.spots, |_| None);
+        if !self.spots.is_empty() {
+            group.group(circles);
+            self.overlay.labels.extend(names);
         }
         self.overlay.ink.group(group);
         self.guides_alone();

@@ -74,6 +74,10 @@ const BELOW_RUNNING_TITLE: f64 = 7.0;
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
 const GUTTER: f64 = 8.0;
+/// So few results are not parted.
+const FEW_ROWS: usize = 3;
+/// What a page needs above and below a drawing that has it to itself.
+const ABOUT_A_BLOCK: f64 = 2.0 * MARGIN + BELOW_RUNNING_TITLE + 3.0;
 
 /// A result table before the drawings, beside the skeleton, and one below them all.
 type Way<'a> = (Option<&'a Table>, Option<&'a Table>);
@@ -142,7 +146,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     };
     let (width, height) = paper(scene);
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
-    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let height = height.max(largest(|b| b.height) + ABOUT_A_BLOCK);
     let given = given::paragraph(&notation);
     let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
     let (steps, figures) = steps::items_in_figures(construction, &notation);
@@ -156,7 +160,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let mut ways: Vec<Way<'_>> = Vec::new();
     if fits(&whole) {
         ways.push((Some(&whole), None));
-    } else if fits(&slow) {
+    } else if fits(&slow) && slow.rows.len().min(fast.rows.len()) > FEW_ROWS {
         ways.push((Some(&slow), Some(&fast)));
     }
     ways.push((None, Some(&whole)));
@@ -535,7 +539,7 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
         .collect();
     let blocks = || drawn.iter().flat_map(|(_, blocks)| blocks);
     let width = width.max(blocks().map(|b| b.width).fold(0.0, f64::max) + 2.0 * MARGIN);
-    let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + 4.0 * MARGIN);
+    let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + ABOUT_A_BLOCK);
     let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Panel::Centres));
     let beside = |gap: f64, break_before: Option<usize>| {
         let mut pager = Pager { gap, ..Pager::new(width, height, title(scene, words), words) };
@@ -858,86 +862,214 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
-    single_after(0, scene, construction, name, language)
-}
-
-/// The same after so many panels, of which it takes the next letters.
-#[must_use]
-pub fn single_after(
-    before: usize,
-    scene: &Scene,
-    construction: &Construction,
-    name: &str,
-    language: Language,
-) -> Option<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
     let construction = &with_speeds_read(told_apart(construction, &notation), &notation);
-    let block_at = |place: usize, panel: Panel| panel.block_at(place, construction, &notation);
-    let block = |panel: Panel| block_at(before, panel);
-    let (block, heading) = match name {
-        "skeleton" => (block(Panel::SKELETON)?, words.skeleton),
-        "velocity" => (block(Panel::Diagram(DiagramKind::Velocity))?, words.velocity_diagram),
-        "acceleration" => (block(Panel::Diagram(DiagramKind::Acceleration))?, words.acceleration_diagram),
-        "centres" => (block(Panel::Centres)?, words.centres_figure),
-        "circle" => (block(Panel::Circle)?, words.circle_diagram),
-        "transfer" => {
-            let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
-                .filter_map(|i| block_at(before + i, Panel::Transfer(i)))
-                .map(|block| tight(scene, block, words.transfer_figure, words))
-                .collect();
-            return (!figures.is_empty()).then(|| stack(&figures));
-        }
-        "results" => {
-            let (_, figures) = steps::items_in_figures(construction, &notation);
-            let table = results::table(construction, &notation, &figures, &ORDERS, TEXT);
-            (table.draw("results", 0, table.rows.len()), words.results)
-        }
-        "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
-        "turning-moment" | "energy" => {
-            let sheet = construction.cycle.as_ref()?;
-            let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
-            (block(Panel::Cycle(panel))?, words.turning_moment_figure)
-        }
-        "inertia" => {
-            let (_, figures) = steps::items_in_figures(construction, &notation);
-            let table = inertia::table(construction, &notation, &figures, TEXT)?;
-            (table.draw("inertia", 0, table.rows.len()), words.inertia_figure)
-        }
-        name if wanted::is_of_forces(name) => {
-            let sheet = construction.forces.as_ref()?;
-            let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-            let two = ForcePanel::of_two(&name, sheet, &notation);
-            let figures: Vec<Figure> = ForcePanel::all(sheet)
-                .into_iter()
-                .filter(|panel| panel.belongs_to(&name, sheet, &notation))
-                .chain(two)
-                .enumerate()
-                .filter_map(|(i, panel)| block_at(before + i, Panel::Force(panel)))
-                .map(|block| tight(scene, block, words.loads_figure, words))
-                .collect();
-            return (!figures.is_empty()).then(|| stack(&figures));
-        }
-        _ => {
-            let kind = wanted::auxiliary(name, scene).ok()??;
-            let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
-            (with_steps(before, drawing, construction, &notation)?, words.auxiliary_figure)
-        }
-    };
-    Some(tight(scene, block, heading, words))
+    let parts = Part::all(name, 0, true, construction, &notation)?;
+    Some(stack(&parts.into_iter().map(|part| part.cut(scene, words)).collect::<Vec<_>>()))
 }
 
-/// How many panels with letters a figure has.
-#[must_use]
-pub fn lettered(figure: &Figure) -> usize {
-    let mut count = 0;
-    figure.root.walk(&mut |node| {
-        let head = |text: &super::figure::Text| {
-            text.class == "caption" && text.runs.iter().any(|run| run.face == Face::Bold)
+/// A figure that is wished for.
+#[derive(Debug, Clone)]
+pub enum Wished<'a> {
+    /// One of a construction, by its name.
+    Named(&'a str),
+    /// One that is drawn already.
+    Drawn(Figure),
+}
+
+/// Several figures: below each other, cut to their ink, as long as they are no larger than the paper; else on its pages.
+///
+/// # Errors
+/// The place of the first among them that the construction does not have.
+pub fn figures(
+    scene: &Scene,
+    construction: &Construction,
+    wished: &[Wished<'_>],
+    language: Language,
+) -> Result<Figure, usize> {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let construction = &with_speeds_read(told_apart(construction, &notation), &notation);
+    // What the steps tell of a construction is told once.
+    let with_words = !wished.iter().any(|own| matches!(own, Wished::Named("steps")));
+    let mut parts: Vec<Part> = Vec::new();
+    for (place, own) in wished.iter().enumerate() {
+        let before = parts.iter().filter(|part| part.lettered()).count();
+        match own {
+            Wished::Named(name) => {
+                let own = Part::all(name, before, with_words, construction, &notation);
+                parts.extend(own.ok_or(place)?);
+            }
+            Wished::Drawn(figure) => parts.push(Part::Figure(figure.clone())),
+        }
+    }
+    let (width, height) = paper(scene);
+    let strip: Vec<Figure> = parts.iter().map(|part| part.clone().cut(scene, words)).collect();
+    let whole = stack(&strip);
+    let fits = whole.width <= width && whole.height <= height;
+    let goes_on = parts.len() > 1 || parts.iter().any(|part| matches!(part, Part::Words(_)));
+    if fits || !goes_on {
+        return Ok(whole);
+    }
+    let largest =
+        |side: fn(&Block) -> f64| parts.iter().filter_map(Part::block).map(side).fold(0.0, f64::max);
+    let width = width.max(largest(|block| block.width) + 2.0 * MARGIN);
+    let height = height.max(largest(|block| block.height) + ABOUT_A_BLOCK);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph(&notation));
+    let mut row: Vec<Block> = Vec::new();
+    let mut told: Vec<Item> = Vec::new();
+    let flush = |pager: &mut Pager, row: &mut Vec<Block>, told: &mut Vec<Item>| {
+        pager.rows(&std::mem::take(row));
+        if !told.is_empty() {
+            pager.tell(&std::mem::take(told));
+            pager.steps();
+            pager.y += BELOW_ROW;
+        }
+    };
+    for part in parts {
+        // What is said of a drawing stands below it, before the next one.
+        if !told.is_empty() {
+            flush(&mut pager, &mut row, &mut told);
+        }
+        match part {
+            Part::Words(items) => told = items,
+            Part::Panel { block, items, .. } => {
+                row.push(block);
+                told = items;
+            }
+            Part::Results(table) => {
+                flush(&mut pager, &mut row, &mut told);
+                pager.results(&table);
+            }
+            Part::Table(block, _) => row.push(block),
+            Part::Figure(figure) => {
+                row.push(Block { width: figure.width, height: figure.height, group: figure.root });
+            }
+        }
+    }
+    flush(&mut pager, &mut row, &mut told);
+    let (root, count) = pager.finish();
+    let titles: Vec<&str> = strip.iter().map(|figure| figure.title.as_str()).collect();
+    let figure = Figure {
+        width,
+        height: height * count as f64,
+        title: titles.join("; "),
+        description: whole.description,
+        language: words.tag,
+        root,
+    };
+    Ok(localised(figure, scene))
+}
+
+/// A piece of what is shown for the name of a figure.
+#[derive(Clone)]
+enum Part {
+    /// A drawing with its caption and what is said of it.
+    Panel { block: Block, heading: &'static str, items: Vec<Item> },
+    /// The results.
+    Results(Table),
+    /// Another table.
+    Table(Block, &'static str),
+    /// The steps.
+    Words(Vec<Item>),
+    /// What was drawn elsewhere.
+    Figure(Figure),
+}
+
+impl Part {
+    /// What is shown for a name after so many drawings that have letters, with what is said of a construction or without; none
+    /// where there is nothing of this name.
+    fn all(
+        name: &str,
+        before: usize,
+        with_words: bool,
+        construction: &Construction,
+        notation: &Notation<'_>,
+    ) -> Option<Vec<Self>> {
+        let words = notation.words;
+        let lettered = |panels: Vec<Panel>, heading: &'static str| {
+            let blocks = panels.into_iter().enumerate();
+            let blocks = blocks.filter_map(|(i, panel)| panel.block_at(before + i, construction, notation));
+            let all: Vec<Self> =
+                blocks.map(|block| Self::Panel { block, heading, items: Vec::new() }).collect();
+            (!all.is_empty()).then_some(all)
         };
-        count += usize::from(matches!(node, Node::Text(text) if head(text)));
-    });
-    count
+        match name {
+            "skeleton" => lettered(vec![Panel::SKELETON], words.skeleton),
+            "velocity" => lettered(vec![Panel::Diagram(DiagramKind::Velocity)], words.velocity_diagram),
+            "acceleration" => {
+                lettered(vec![Panel::Diagram(DiagramKind::Acceleration)], words.acceleration_diagram)
+            }
+            "centres" => lettered(vec![Panel::Centres], words.centres_figure),
+            "circle" => lettered(vec![Panel::Circle], words.circle_diagram),
+            "transfer" => {
+                let count = transfer::by_method(construction.circle.as_ref()?).len();
+                lettered((0..count).map(Panel::Transfer).collect(), words.transfer_figure)
+            }
+            "results" => {
+                let (_, figures) = steps::items_in_figures(construction, notation);
+                Some(vec![Self::Results(results::table(construction, notation, &figures, &ORDERS, TEXT))])
+            }
+            "steps" => Some(vec![Self::Words(steps::items(construction, notation))]),
+            "turning-moment" | "energy" => {
+                let sheet = construction.cycle.as_ref()?;
+                let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
+                lettered(vec![Panel::Cycle(panel)], words.turning_moment_figure)
+            }
+            "inertia" => {
+                let (_, figures) = steps::items_in_figures(construction, notation);
+                let table = inertia::table(construction, notation, &figures, TEXT)?;
+                Some(vec![Self::Table(table.draw("inertia", 0, table.rows.len()), words.inertia_figure)])
+            }
+            name if wanted::is_of_forces(name) => {
+                let sheet = construction.forces.as_ref()?;
+                let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+                let two = ForcePanel::of_two(&name, sheet, notation);
+                let own = ForcePanel::all(sheet).into_iter();
+                let own = own.filter(|panel| panel.belongs_to(&name, sheet, notation)).chain(two);
+                lettered(own.map(Panel::Force).collect(), words.loads_figure)
+            }
+            _ => {
+                let kind = wanted::auxiliary(name, notation.scene).ok()??;
+                let drawing =
+                    construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
+                let panel = panels::of_auxiliary(drawing, construction)?;
+                let block = panel.block_at(before, construction, notation)?;
+                let items = if with_words { words_of(drawing, construction, notation) } else { Vec::new() };
+                Some(vec![Self::Panel { block, heading: words.auxiliary_figure, items }])
+            }
+        }
+    }
+
+    /// Whether it has a letter.
+    const fn lettered(&self) -> bool {
+        matches!(self, Self::Panel { .. })
+    }
+
+    /// What takes its place on a page as it is.
+    const fn block(&self) -> Option<&Block> {
+        match self {
+            Self::Panel { block, .. } | Self::Table(block, _) => Some(block),
+            Self::Results(_) | Self::Words(_) | Self::Figure(_) => None,
+        }
+    }
+
+    /// Alone, cut to its ink.
+    fn cut(self, scene: &Scene, words: &'static Words) -> Figure {
+        match self {
+            Self::Panel { block, heading, items } => {
+                tight(scene, with_steps(block, &items, words), heading, words)
+            }
+            Self::Table(block, heading) => tight(scene, block, heading, words),
+            Self::Results(table) => {
+                tight(scene, table.draw("results", 0, table.rows.len()), words.results, words)
+            }
+            Self::Words(items) => tight(scene, column(&items, 90.0, words), words.steps, words),
+            Self::Figure(figure) => figure,
+        }
+    }
 }
 
 /// A drawing cut to its ink.
@@ -968,29 +1100,30 @@ pub(super) fn cut(mut root: Group, title: String, description: String, words: &W
     }
 }
 
-/// A construction on the skeleton with its steps below.
-fn with_steps(
-    place: usize,
-    drawing: &AuxiliaryDrawing,
-    construction: &Construction,
-    notation: &Notation<'_>,
-) -> Option<Block> {
-    let mut block = panels::of_auxiliary(drawing, construction)?.block_at(place, construction, notation)?;
+/// What is said of a construction on the skeleton; its caption says already what the head would say.
+fn words_of(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let index = construction.auxiliary.iter().position(|own| own.kind == drawing.kind).unwrap_or_default();
     let ((rates, items), _) = steps::settled(|figures| {
         let rates = match drawing.kind {
             Auxiliary::Klein { .. } => steps::conversions(notation, figures),
             _ => Vec::new(),
         };
-        (rates, auxiliary::items(0, drawing, construction, notation, figures))
+        (rates, auxiliary::items(index, construction, notation, figures))
     });
-    let items: Vec<Item> = rates.into_iter().map(Item::Sentence).chain(items.into_iter().skip(1)).collect();
-    // The caption says already what the head of the steps would say.
-    let mut steps = column(&items, block.width.max(120.0), notation.words);
+    rates.into_iter().map(Item::Sentence).chain(items.into_iter().skip(1)).collect()
+}
+
+/// A drawing with what is said of it below.
+fn with_steps(mut block: Block, items: &[Item], words: &Words) -> Block {
+    if items.is_empty() {
+        return block;
+    }
+    let mut steps = column(items, block.width.max(120.0), words);
     let width = block.width.max(steps.width);
     block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
     steps.group.translate(Vec2::new(0.0, block.height + 2.0));
     block.group.group(steps.group);
-    Some(Block { width, height: block.height + 2.0 + steps.height, ..block })
+    Block { width, height: block.height + 2.0 + steps.height, ..block }
 }
 
 /// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
@@ -1737,14 +1870,19 @@ impl Pager {
     fn results(&mut self, table: &Table) {
         let rows = table.rows.len();
         let pair = self.results_in(2, table);
-        let usual = if pair.is_some() { 2 } else { 1 };
+        // A few rows are one table.
+        let usual = if pair.is_some() && rows > FEW_ROWS { 2 } else { 1 };
         let three = pair.as_ref().and_then(|_| self.results_in(3, table));
         let table = &pair.unwrap_or_else(|| table.clone().fitted(self.width()));
         let mut from = 0;
         while from < rows {
             let fit = table.rows_in(self.bottom() - self.y);
             let left = rows - from;
-            if fit < 3.min(left) && self.y > MARGIN + 30.0 {
+            // What has room on one page is looked for on one page.
+            let whole = table.rows_in(self.bottom() - MARGIN - BELOW_RUNNING_TITLE);
+            let here = fit * if three.is_some() { 3 } else { usual };
+            let torn = from == 0 && left > here && left <= usual * whole;
+            if (fit < 3.min(left) || torn) && self.y > MARGIN + 30.0 {
                 if self.bottom() - self.y >= LEAST_FILLED {
                     self.columns();
                 }

@@ -50,7 +50,7 @@ pub fn add_insets(
         let mut inset = inset(d.normalize(), vector.quantity, (link, slip, omega), notation);
         let middle = page(vector.from).midpoint(page(vector.to));
         let size = inset.bounds().unwrap_or(Rect::ZERO);
-        let at = free_place(group, size, middle, tallest(notation.scene));
+        let at = free_place(group, size, middle, largest(notation.scene));
         inset.translate(at - size.origin());
         group.group(inset.lived(births.and_then(|b| b.vectors.get(index)).map(|life| life.born)));
     }
@@ -107,13 +107,14 @@ fn inset(
 }
 
 /// How tall a drawing with all that stands beside it may be, mm.
-pub(super) fn tallest(scene: &Scene) -> f64 {
-    free_paper(scene).1 - NOT_DRAWN
+pub(super) fn largest(scene: &Scene) -> (f64, f64) {
+    let (width, height) = free_paper(scene);
+    (width, height - NOT_DRAWN)
 }
 
 /// Where a box of this size disturbs least: inside the drawing's own box if there is room, near `wish`; beside the drawing
-/// rather than above or below it where that would outgrow `tallest`.
-pub(super) fn free_place(group: &Group, size: Rect, wish: Point, tallest: f64) -> Point {
+/// rather than above or below it where that would outgrow the paper, and the other way round.
+pub(super) fn free_place(group: &Group, size: Rect, wish: Point, (widest, tallest): (f64, f64)) -> Point {
     let ink = group.bounds().unwrap_or(Rect::ZERO);
     let obstacles = Obstacles::of(group);
     let (w, h) = (size.width(), size.height());
@@ -128,7 +129,8 @@ pub(super) fn free_place(group: &Group, size: Rect, wish: Point, tallest: f64) -
             let own = Rect::new(x, y, x + w, y + h);
             let both = ink.union(own);
             let growth = WIDTH_COST * (both.width() - ink.width()) + (both.height() - ink.height());
-            let beyond = (both.height() - tallest.max(ink.height())).max(0.0);
+            let beyond = (both.height() - tallest.max(ink.height())).max(0.0)
+                + (both.width() - widest.max(ink.width())).max(0.0);
             let cost = growth + 0.05 * own.center().distance(wish) + BEYOND * beyond;
             if cost < best.0 && obstacles.is_free(own.inflate(BLANK, BLANK)) {
                 best = (cost, own.origin());

@@ -3,7 +3,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::coriolis::{free_place, tallest};
+use super::coriolis::{free_place, largest};
 use super::figure::{Group, Mark, Pen, Shape, Tone};
 use super::ink::{FINE, HEAD, SMALL, THICK, THIN, dot, head};
 use super::labels::{Request, Site, place};
@@ -54,7 +54,7 @@ pub(super) fn add(group: &mut Group, sides: &[Side], short: f64, notation: &Nota
         group.group(spot);
         let mut own = draw(run, sides, (centre, radius, multiple), notation);
         let size = own.bounds().unwrap_or(Rect::ZERO);
-        let at = free_place(group, size, centre, tallest(notation.scene));
+        let at = free_place(group, size, centre, largest(notation.scene));
         own.translate(at - size.origin());
         group.group(own);
     }

@@ -326,12 +326,12 @@ pub fn at(finished: &Group, since: Option<Moment>, upto: Moment) -> Group {
     own
 }
 
-/// The same picture without the details and rules that were shown when they were new: what they explain is seen by now.
+/// The same picture without the rules that were shown when they were new: what they explain is seen by now.
 #[must_use]
 pub fn without_asides(picture: &Group) -> Group {
     let aside = |group: &Group| {
         let has = |word: &str| group.class.split(' ').any(|own| own == word);
-        has(OLD) && (has("detail") || has("coriolis-rule"))
+        has(OLD) && has("coriolis-rule")
     };
     let mut own = Group { children: Vec::new(), ..picture.clone() };
     own.children.extend(picture.children.iter().filter_map(|node| match node {

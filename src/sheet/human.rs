@@ -14,17 +14,22 @@ pub fn number(value: f64) -> Rich {
     computed(value, usual_figures(value)).0
 }
 
-/// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number.
+/// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number, and
+/// where its last figure is not that of the other one it has the three figures that both have.
 #[must_use]
 pub fn number_told(told: f64, exact: f64) -> Rich {
     let short: f64 = format!("{exact:.2e}").parse().unwrap_or(exact);
     if (short - exact).abs() <= 1e-9 * exact.abs() {
         return number(told);
     }
+    if is_off(told, exact) {
+        let common = (told - short).abs() <= 0.5 * (1.0 + 1e-6) * unit_in_the_last(short, 3);
+        return if common { figures(short, 3, false) } else { number(exact) };
+    }
     computed(told, usual_figures(told)).0
 }
 
-/// Whether what [`number_told`] writes is another number than the exact one, in the figures that stand there.
+/// Whether what lines have come to is another number than the exact one, in the figures in which it would stand there.
 pub fn is_off(told: f64, exact: f64) -> bool {
     let digits = without_a_tie(told, usual_figures(told));
     let written = computed(told, usual_figures(told)).1;
@@ -365,6 +370,8 @@ pub fn millimetres(value: f64) -> Rich {
 /// has no sign: which it is would be told by a rounding.
 #[must_use]
 pub fn degrees(radians: f64) -> Rich {
+    /// Nearer to a whole number of degrees a direction differs from it by roundings.
+    const WHOLE: f64 = 1e-6;
     let value = radians.to_degrees();
     let is_stated = |(decimals, room): &(usize, f64)| {
         let stated: f64 = format!("{value:.decimals$}").parse().unwrap_or(value);
@@ -372,10 +379,14 @@ pub fn degrees(radians: f64) -> Rich {
     };
     // Nobody states an angle more finely. With five decimals a calculated one is by chance near to a stated one, where it need
     // not be it to the last bits.
-    let decimals = [(3, 1e-9), (5, 1e-11)].into_iter().find(is_stated).map_or(1, |(decimals, _)| decimals);
-    let text = fixed(value, decimals);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    let text = if ["−0", "−180"].contains(&text) { &text["−".len()..] } else { text };
+    let stated = [(3, 1e-9), (5, 1e-11)].into_iter().find(is_stated);
+    let text = fixed(value, stated.map_or(1, |(decimals, _)| decimals));
+    // A nought at the end of what is calculated was found.
+    let whole = (value - libm::round(value)).abs() < WHOLE;
+    let text =
+        if stated.is_some() || whole { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let text =
+        if ["−0", "−180", "−0.0", "−180.0"].contains(&text) { &text["−".len()..] } else { text };
     Rich::upright(text).up("°")
 }
 

@@ -23,6 +23,8 @@ const WORD: f64 = 1.6;
 const TOUCH: f64 = 1000.0;
 /// Cost of standing nearer to another named point: more than a leader that crosses two lines.
 const MISREAD: f64 = 75.0;
+/// Cost of standing beyond another line than those that end in a point: more than a leader.
+const ACROSS: f64 = 45.0;
 /// What else is named is this much further away than what a name names, or the name might be its.
 const BESIDE: f64 = 1.0;
 /// Names reach into each other by no more than this.
@@ -241,7 +243,9 @@ impl Body {
         let boxes = if ringed {
             vec![Rect::from_center_size(Point::ZERO, (2.0 * half.x, 2.0 * half.y))]
         } else {
-            line.boxes_at(Point::ZERO)
+            let own = line.boxes_at(Point::ZERO);
+            let blanks = blanks(&own, request.size);
+            own.into_iter().chain(blanks).collect()
         };
         Self { line, middle, half, boxes, ringed }
     }
@@ -256,6 +260,23 @@ impl Body {
         let by = if self.ringed { centre.to_vec2() } else { self.start(centre).to_vec2() };
         self.boxes.iter().map(move |own| *own + by)
     }
+}
+
+/// The blanks between the boxes of a line, as high as a small letter: a stroke through one strikes the line out.
+fn blanks(boxes: &[Rect], size: f64) -> Vec<Rect> {
+    /// Of its size a small letter is so high; and a wider blank parts two texts.
+    const LETTER: f64 = 0.45;
+    const WIDEST: f64 = 1.0;
+    let mut all = boxes.to_vec();
+    all.sort_by(|a, b| a.x0.total_cmp(&b.x0));
+    let (mut blanks, mut end) = (Vec::new(), f64::INFINITY);
+    for own in all {
+        if own.x0 > end && own.x0 < end + WIDEST * size {
+            blanks.push(Rect::new(end, -LETTER * size, own.x0, 0.0));
+        }
+        end = if end.is_finite() { end.max(own.x1) } else { own.x1 };
+    }
+    blanks
 }
 
 /// Ink that labels keep away from.
@@ -1149,6 +1170,16 @@ impl Market<'_> {
                     if request.strict && far + BESIDE + NEARER < clear {
                         candidate.cost += TOUCH;
                         candidate.touches_ink = true;
+                    }
+                }
+                // Beyond a line that does not end in its point a name is read as that of another point.
+                let line = |i: usize| strangers.lines[i].0 != index;
+                strangers.line_grid.near(reach, strangers.lines.len(), met, near, line);
+                let (centre, foot) = (own.center(), own.center().lerp(at, 0.95));
+                for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
+                    let ends = [a, b].iter().any(|end| end.distance(at) < 0.3);
+                    if !ends && crossing(centre, foot, a, b) {
+                        candidate.cost += ACROSS;
                     }
                 }
                 // What stands at the middle of a dimension line is read as its number.

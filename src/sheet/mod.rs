@@ -68,8 +68,8 @@ mod words;
 pub use answers::{Part, prompt};
 pub use booklet::{answer_form, booklet};
 pub use compose::{
-    Marked, figure_names, film, lettered, paper, question, question_card, question_of_exam, question_strip,
-    single, single_after, single_of_question, solution, stack, step_by_step,
+    Marked, Wished, figure_names, figures, film, paper, question, question_card, question_of_exam,
+    question_strip, single, single_of_question, solution, stack, step_by_step,
 };
 pub use controlling::controlling_force;
 pub use figure::Figure;

@@ -46,6 +46,15 @@ impl<'a> Notation<'a> {
         self.mechanism().links.get(link.0).map_or_else(String::new, |l| l.number.to_string())
     }
 
+    /// The number of a link as the index of its point under a pin: in parentheses where the scene has a point of that name, for A₄
+    /// is then that one.
+    #[must_use]
+    pub fn number_under(&self, point: PointId, link: LinkId) -> String {
+        let number = self.number(link);
+        let taken = self.mechanism().point_named(&format!("{}{number}", self.point_name(point))).is_some();
+        if taken { format!("({number})") } else { number }
+    }
+
     /// A point on the skeleton and in text: O₂, A.
     #[must_use]
     pub fn point(&self, point: PointId) -> Rich {
@@ -134,7 +143,7 @@ impl<'a> Notation<'a> {
         let link = link.map(|l| self.home(point).filter(|_| of_pin(&l)).unwrap_or(l));
         let (letters, own) = split(self.point_name(point));
         let indices: Vec<String> =
-            [(!own.is_empty()).then(|| own.to_owned()), link.map(|l| self.number(l)), index]
+            [(!own.is_empty()).then(|| own.to_owned()), link.map(|l| self.number_under(point, l)), index]
                 .into_iter()
                 .flatten()
                 .collect();
@@ -310,7 +319,7 @@ impl<'a> Notation<'a> {
         let (letters, own) = split(self.point_name(point));
         let name = |l: &LinkId| {
             let comma = if own.is_empty() { "" } else { "," };
-            Rich::italic(letters).sub(&format!("{own}{comma}{}", self.number(*l)))
+            Rich::italic(letters).sub(&format!("{own}{comma}{}", self.number_under(point, *l)))
         };
         let names: Vec<Rich> = links.iter().map(name).collect();
         (names.len() <= 3).then(|| Rich::join(&names, &Rich::upright(",")))
@@ -318,7 +327,7 @@ impl<'a> Notation<'a> {
 
     /// A4: the point of link 4 under pin A.
     fn under(&self, point: PointId, link: LinkId) -> String {
-        numbered(&self.index(point), &self.number(link))
+        numbered(&self.index(point), &self.number_under(point, link))
     }
 
     /// A point's name in the index of a vector.
@@ -334,9 +343,9 @@ impl<'a> Notation<'a> {
         let others =
             own.into_iter().flat_map(|p| &p.links).copied().filter(|l| *l != guide && *l != LinkId::FRAME);
         let own = others.min_by_key(|l| self.mechanism().link(*l).block);
-        let own = own.map_or_else(String::new, |l| self.number(l));
+        let own = own.map_or_else(String::new, |l| self.number_under(point, l));
         let own = numbered(&name, &own);
-        let guide = self.number(guide);
+        let guide = self.number_under(point, guide);
         if self.profile.apparent {
             format!("{own}/{guide}")
         } else {

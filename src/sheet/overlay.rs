@@ -768,7 +768,7 @@ fn force_polygon(
         }
         (from, own_from) = (to, if short < 1.0 { to } else { end });
     }
-    let mut over = skeleton::Overlay { ink: Group::new("faults"), labels: names };
+    let mut over = skeleton::Overlay { ink: Group::new("faults"), labels: names, within: None };
     circle_all(&mut over, &circles);
     panel.group(over.ink);
     let names = place(&panel, &over.labels, None);

@@ -154,7 +154,9 @@ impl Panel {
                 Some(transfer::draw(&same, circle, &reach, notation))
             }
             Self::Auxiliary(index) => {
-                Some(auxiliary::draw(construction.auxiliary.get(index)?, construction, notation))
+                let reach = Reach::of_auxiliary(index, construction, notation)?;
+                let drawing = reach.construction.auxiliary.get(index)?;
+                Some(auxiliary::draw(drawing, &reach, notation))
             }
             Self::Force(panel) => panel.draw(construction.forces.as_ref()?, construction, notation),
             Self::Cycle(panel) => Some(panel.draw(construction.cycle.as_ref()?, notation)),
@@ -190,8 +192,8 @@ impl Panel {
             }
             Self::Circle => (name(words.circle_diagram), Rich::default()),
             Self::Transfer(index) => {
-                let circle = construction.circle.as_ref()?;
-                let same = transfer::by_method(circle).into_iter().nth(index)?;
+                let reach = Reach::of_transfer(index, construction, notation)?;
+                let same = transfer::by_method(reach.construction.circle.as_ref()?).into_iter().nth(index)?;
                 let draws = |ink: &TransferInk| {
                     matches!(
                         ink,
@@ -202,7 +204,7 @@ impl Panel {
                 };
                 let draws = same.iter().flat_map(|transfer| &transfer.ink).any(draws);
                 let velocities = notation.scale(same.first()?.si_per_mm, Dimension::Velocity);
-                let own = lengths(&Reach::of_transfer(index, construction, notation)?.construction);
+                let own = lengths(&reach.construction);
                 let scale = if draws { own.aside(words.comma, &velocities) } else { own };
                 (transfer::title(&same, notation), scale)
             }
@@ -212,7 +214,7 @@ impl Panel {
                     Some(polygon) if drawing.is_lever() => {
                         notation.scale(polygon.si_per_mm, Dimension::Velocity)
                     }
-                    _ => skeleton(),
+                    _ => lengths(&Reach::of_auxiliary(index, construction, notation)?.construction),
                 };
                 (auxiliary::title(&drawing.kind, notation), scale)
             }

@@ -74,7 +74,8 @@ pub fn draw_under(
     let spots = detail::spots(polygon, window);
     let mut requests = labels(polygon, notation, window, &spots, births);
     if !spots.is_empty() {
-        let (circles, names) = detail::circles(&spots, births);
+        let (circles, names) =
+            detail::circles(&spots, |spot| births.and_then(|births| detail::born(spot, births)));
         group.group(circles);
         requests.extend(names);
     }

@@ -98,7 +98,7 @@ fn row(
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
     if let Some(method) = notation.method(asked.method) {
-        symbol = symbol.up(",\u{a0}").up(method);
+        symbol = symbol.up(words.comma.trim_end()).up("\u{a0}").up(method);
     }
     let key = Key::of(asked.quantity, notation);
     // An energy has the name that its unit has in the lines.
@@ -137,13 +137,19 @@ fn row(
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
             Quantity::Force(Force::Spin, share) if asked.unit.symbol.starts_with("rad/") => {
-                let turns = human::quantity(*value, &super::governor::rpm());
+                let rpm = super::governor::rpm();
+                let turns = human::quantity(*value, &rpm);
+                // With as many figures as the other unit takes to be what is printed.
+                let [own] = human::closing([*value / asked.unit.si], *value / rpm.si, |[own]| {
+                    own * asked.unit.si / rpm.si
+                });
+                let own = human::with_unit(&own, &asked.unit.symbol);
                 let sense = match share {
                     Share::Rising => words.governor_up,
                     Share::Falling => words.governor_down,
                     Share::Total | Share::Static | Share::Inertia => "",
                 };
-                vec![symbol, amount(*value).up("\u{a0}= ").then(&turns), Rich::upright(sense)]
+                vec![symbol, own.up("\u{a0}= ").then(&turns), Rich::upright(sense)]
             }
             Quantity::Cycle(_) if *value > 0.0 => vec![symbol, amount(*value), Rich::default()],
             _ => vec![symbol, amount(*value), Rich::default()],

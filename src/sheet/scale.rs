@@ -11,7 +11,6 @@ use super::figure::{Figure, Node};
 use super::overlap::clip;
 use super::reach::{self, Window};
 use super::transfer;
-use crate::graphical::auxiliary::{AuxiliaryDrawing, StrokeShape};
 use crate::graphical::construction::{Centre, CentrePlace, CircleDiagram, Construction, Mm2};
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::quantity::{Dimension, Method, Quantity};
@@ -25,8 +24,6 @@ const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 pub const SKELETON: (f64, f64) = (92.0, 70.0);
 /// Room for a long and low skeleton that has the row to itself.
 pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
-/// Room for a construction on the skeleton with its named points, inside the names.
-pub const AUXILIARY: (f64, f64) = (140.0, 170.0);
 /// Room for a polygon that shares its row with another.
 pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
 /// Room for the only polygon of a sheet, and for arrows on the skeleton.
@@ -50,8 +47,9 @@ const PER_NAME: f64 = 110.0;
 const ROW: f64 = 168.0;
 /// Width that the names beside a polygon need.
 const NAMES: f64 = 13.0;
-/// Height of a page beside a diagram's points: headings, names and the caption.
-const AROUND_DRAWN: f64 = 58.0;
+/// Height of a page beside a diagram's points: names, the caption and the running title; of the first page the heading besides.
+const AROUND_DRAWN: f64 = 30.0;
+const HEADING: f64 = 28.0;
 /// Height of a page beside a panel with its caption.
 const HEADED: f64 = 34.0;
 /// Width of a caption.
@@ -80,8 +78,8 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
 
 /// Room for a diagram beside the words of a step, width and height in mm.
 pub const STEP: (f64, f64) = (86.0, 108.0);
-/// Room for one above the words of a step.
-pub const STEP_ABOVE: (f64, f64) = (158.0, 150.0);
+/// Room for one above the words of a step: two of them fill a page.
+pub const STEP_ABOVE: (f64, f64) = (158.0, 105.0);
 
 /// The scales of a sheet that shows the steps one by one: those of the solution, so that its drawings are found again, or
 /// larger ones where a diagram has the room beside its words; each leaves room for these on its page.
@@ -121,7 +119,7 @@ fn stated(scene: &Scene, dimension: Dimension) -> Option<f64> {
 }
 
 /// One of the scene's units of a dimension, SI.
-fn unit(scene: &Scene, dimension: Dimension) -> f64 {
+pub(super) fn unit(scene: &Scene, dimension: Dimension) -> f64 {
     let (length, time) = (scene.units.length.si, scene.units.time.si);
     match dimension {
         Dimension::Length => length,
@@ -409,15 +407,16 @@ impl Choices<'_> {
         without
     }
 
-    /// A room on this paper, never higher than the page, whatever its form.
-    fn room(&self, (wide, high): (f64, f64)) -> (f64, f64) {
-        (wide * self.stretch.0, (high * self.stretch.1).min(self.paper.1 - AROUND_DRAWN))
+    /// A room on this paper for a diagram, never higher than its page, whatever that is: the skeleton stands on the first one.
+    fn room(&self, i: usize, (wide, high): (f64, f64)) -> (f64, f64) {
+        let around = AROUND_DRAWN + if i == 0 { HEADING } else { 0.0 };
+        (wide * self.stretch.0, (high * self.stretch.1).min(self.paper.1 - around))
     }
 
     /// The scales at which the skeleton stands beside the results, and two polygons beside each other.
     fn least(&self) -> Chosen {
         let [w, h] = self.all[0].size;
-        let fit = |room| choose_length(w, h, self.room(room));
+        let fit = |room| choose_length(w, h, self.room(0, room));
         let mut scales = vec![fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b))];
         for pair in self.all[1..].chunks(2) {
             scales.extend(beside(pair, self.stretch));
@@ -432,8 +431,8 @@ impl Choices<'_> {
         let choice = &self.all[i];
         let [w, h] = choice.size;
         let most = match i {
-            0 => choose_length(w, h, self.room(PAGE_SKELETON)),
-            _ => choose_for(w, h, self.room(PAGE_POLYGON), choice.unit),
+            0 => choose_length(w, h, self.room(0, PAGE_SKELETON)),
+            _ => choose_for(w, h, self.room(i, PAGE_POLYGON), choice.unit),
         };
         let mut all = vec![least];
         // Arrows on the skeleton are no diagram.
@@ -520,7 +519,7 @@ impl Choices<'_> {
             return of(skeleton).0;
         }
         let [w, h] = self.all[0].size;
-        reach::chosen(skeleton, w.max(h) / skeleton, of)
+        reach::chosen(skeleton, (w.max(h) / skeleton, reach::LEAST), of)
     }
 
     /// How many centres that nobody needs go over the edge of their figure.
@@ -684,54 +683,6 @@ fn too_near(points: &[[f64; 2]], least: f64) -> usize {
     places.values().filter(|(_, at)| near(*at)).map(|(count, _)| count).sum()
 }
 
-/// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
-/// named points, or the nearest of them where the skeleton would become too small to read with all, and with its circles as
-/// far as the paper can hold them; `None` where nothing more finds room.
-#[must_use]
-pub fn for_auxiliary(scene: &Scene, construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
-    /// The skeleton is not shrunk by more than this.
-    const MOST: f64 = 4.0;
-    /// For a circle it is not shrunk by more than a step of the scales.
-    const STEP: f64 = 2.0;
-    if drawing.is_lever() {
-        return None;
-    }
-    let across = |all: &[[f64; 2]], room: (f64, f64)| {
-        let extent = |axis: usize| {
-            let least = all.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-            let most = all.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-            most - least
-        };
-        f64::max(extent(0) / room.0, extent(1) / room.1)
-    };
-    let mut all: Vec<[f64; 2]> = construction.space.places.iter().flatten().copied().collect();
-    let skeleton = all.clone();
-    let with = |at: [f64; 2]| across(&[&skeleton[..], &[at]].concat(), AUXILIARY);
-    let mut named: Vec<[f64; 2]> = drawing.points.iter().map(|p| p.at).collect();
-    named.sort_by(|a, b| with(*a).total_cmp(&with(*b)));
-    for at in named {
-        all.push(at);
-        // Written so that a not-a-number has no room.
-        let has_room = across(&all, AUXILIARY) <= MOST;
-        if !has_room {
-            all.pop();
-        }
-    }
-    let needed = across(&all, AUXILIARY);
-    if needed <= 1.0 || needed.is_nan() {
-        return None;
-    }
-    all.extend(drawing.strokes.iter().flat_map(|stroke| match stroke.shape {
-        StrokeShape::Circle { centre: [x, y], radius } => {
-            vec![[x - radius, y - radius], [x + radius, y + radius]]
-        }
-        StrokeShape::Line(..) | StrokeShape::Curve { .. } | StrokeShape::RightAngle { .. } => Vec::new(),
-    }));
-    let with_circles = across(&all, free_paper(scene));
-    let needed = if with_circles <= STEP * needed { needed.max(with_circles) } else { needed };
-    choose_length(needed * construction.space.metres_per_mm, 0.0, (1.0, 1.0))
-}
-
 /// The diagrams of a figure that find no room on their paper, and the next scale at which they do, SI per mm: what stands
 /// on a skeleton besides its joints (a wheel, a guide, an arm of a force) is known when it is drawn. `pages` is how many
 /// there may be: a smaller skeleton may save the others. None where the scene states the scale.
@@ -767,19 +718,11 @@ pub fn outgrown(
         // Blank at the edge of letters is no ink.
         let over = ink.width() > wide + 0.5 || ink.height() > room.1 + 0.5;
         let Some(Node::Group(drawing)) = panel.children.first().filter(|_| over) else { return None };
-        // A figure with a scale of its own has found room at it.
-        let own = drawing.data.iter().find(|(name, _)| *name == "si-per-mm");
-        let own = own.and_then(|(_, own)| own.parse::<f64>().ok());
-        let class = drawing.class.split(' ').next()?;
-        if matches!(class, "instant-centres" | "transfer")
-            && own.is_some_and(|own| own > construction.space.metres_per_mm * (1.0 + 1e-9))
-        {
-            return None;
-        }
-        let dimension = match class {
+        // Figures of centres, of velocities carried over and of constructions on the skeleton find room by themselves.
+        let dimension = match drawing.class.split(' ').next()? {
             "velocity" => Dimension::Velocity,
             "acceleration" => Dimension::Acceleration,
-            "skeleton" | "instant-centres" | "free-body" | "transfer" => Dimension::Length,
+            "skeleton" | "free-body" => Dimension::Length,
             _ => return None,
         };
         Some((dimension, [ink.width(), ink.height()]))
@@ -829,6 +772,15 @@ fn beside(row: &[Choice<'_>], (wide, high): (f64, f64)) -> Chosen {
 pub(super) fn smaller(metres_per_mm: f64) -> impl Iterator<Item = f64> {
     let steps = [1.25, 2.0, 2.5, 4.0, 5.0].into_iter();
     steps.map(move |by| metres_per_mm * by).filter(|own| is_round(own * 1000.0, true))
+}
+
+/// The next round scales of a diagram above one, SI units per mm, by which it becomes smaller.
+pub(super) fn coarser(si_per_mm: f64, unit_si: f64) -> impl Iterator<Item = f64> {
+    /// What is a hundred times smaller is a point.
+    const MOST: usize = 9;
+    let per_mm = move |per_cm: f64| per_cm * unit_si / 10.0;
+    let next = |per_cm: &f64| round_up(per_cm * (1.0 + 1e-6));
+    std::iter::successors(Some(si_per_mm * 10.0 / unit_si), next).skip(1).take(MOST).map(per_mm)
 }
 
 /// Whether a number is round; of a ratio below 1, whether it is one to a round number.

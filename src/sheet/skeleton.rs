@@ -64,6 +64,8 @@ pub struct Overlay {
     pub ink: Group,
     /// Its labels, placed together with those of the drawing.
     pub labels: Vec<Request>,
+    /// The paper that there is for them all.
+    pub within: Option<Rect>,
 }
 
 /// The skeleton of a question with the first fixed point at the origin of the group: what the scene states,
@@ -270,6 +272,7 @@ pub fn draw_under(
             whole.group(over.ink.clone());
         }
         artist.labels.extend(over.labels.iter().cloned());
+        artist.within = over.within;
         let labels = artist.placed_labels(&whole);
         whole.group(labels);
         let touching = overlaps_in(&whole, None).len();
@@ -297,6 +300,8 @@ pub(super) struct Artist<'a> {
     pub(super) far: Vec<PointId>,
     /// When its ink came onto the paper, where that is asked for.
     births: Option<&'a Births<'a>>,
+    /// The paper that there is for its names, where they might leave it.
+    within: Option<Rect>,
 }
 
 /// How the points of a link lie.
@@ -321,6 +326,7 @@ impl<'a> Artist<'a> {
             fuller: Vec::new(),
             far: construction.far_centres(notation.mechanism()),
             births: None,
+            within: None,
         };
         artist.bars = artist.all_bars();
         artist.add_slots();
@@ -374,14 +380,14 @@ impl Artist<'_> {
                 requests[*i].text = text.clone();
                 requests[*i].leader = leader;
             }
-            let labels = place(group, &requests, None);
+            let labels = place(group, &requests, self.within);
             let mut both = group.clone();
             both.group(labels.clone());
             if overlaps_in(&both, None).is_empty() {
                 return labels;
             }
         }
-        place(group, &self.labels, None)
+        place(group, &self.labels, self.within)
     }
 
     pub(super) fn body(&self, link: LinkId) -> Body {
@@ -412,6 +418,10 @@ impl Artist<'_> {
     fn all_bars(&self) -> Vec<(LinkId, Point, Point)> {
         let mut bars = Vec::new();
         for link in self.notation.mechanism().moving() {
+            if let Some([vertex, one, other]) = self.two_arms(link) {
+                bars.extend([(link, vertex, one), (link, vertex, other)]);
+                continue;
+            }
             match self.body(link) {
                 Body::Point => {}
                 Body::Straight(a, b, _) => bars.push((link, a, b)),
@@ -622,19 +632,24 @@ impl Artist<'_> {
         pins.iter().filter_map(|pin| self.pose.place(pin.point)).any(|p| p.distance(at) < 0.3)
     }
 
+    /// A bell crank's joint between its arms and the ends of these, where it is drawn as two arms.
+    fn two_arms(&self, link: LinkId) -> Option<[Point; 3]> {
+        let Form::Arms { .. } = self.notation.mechanism().links[link.0].form else { return None };
+        let [(_, vertex), (_, one), (_, other)] = self.pose.places(link)[..] else { return None };
+        let bent = matches!(self.body(link), Body::Polygon(_));
+        let seen = one.distance(vertex) > PIN && other.distance(vertex) > PIN;
+        (bent && seen).then_some([vertex, one, other])
+    }
+
     /// A link of three or more points: outlined and lightly hatched; a bell crank as two arms with a web.
     fn plate(&self, link: LinkId, corners: &[Point], own: &mut Group) {
         let places = self.pose.places(link);
-        if let (Form::Arms { .. }, [(_, vertex), (_, one), (_, other)]) =
-            (&self.notation.mechanism().links[link.0].form, &places[..])
-            && one.distance(*vertex) > PIN
-            && other.distance(*vertex) > PIN
-        {
-            let arms = Shape::Polyline(vec![*one, *vertex, *other]);
+        if let Some([vertex, one, other]) = self.two_arms(link) {
+            let arms = Shape::Polyline(vec![one, vertex, other]);
             own.mark(Mark::stroke(arms, Pen::solid(THICK)).class("bar").precise());
-            let (u, v) = ((*one - *vertex).normalize(), (*other - *vertex).normalize());
-            let reach = 4.5_f64.min(one.distance(*vertex) / 2.0).min(other.distance(*vertex) / 2.0);
-            let web = Shape::Polygon(vec![*vertex, *vertex + u * reach, *vertex + v * reach]);
+            let (u, v) = ((one - vertex).normalize(), (other - vertex).normalize());
+            let reach = 4.5_f64.min(one.distance(vertex) / 2.0).min(other.distance(vertex) / 2.0);
+            let web = Shape::Polygon(vec![vertex, vertex + u * reach, vertex + v * reach]);
             own.mark(Mark::area(web, Tone::Ink).class("web"));
             return;
         }

@@ -262,7 +262,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     // The lever takes up forces that were laid off before.
     let (levers, auxiliary): (Vec<_>, Vec<_>) = auxiliary.partition(|(_, drawing)| drawing.is_lever());
     for (index, drawing) in auxiliary {
-        let mut items = super::auxiliary::items(index, drawing, construction, notation, figures);
+        let mut items = super::auxiliary::items(index, construction, notation, figures);
         // Where nothing else tells of velocities, they begin here.
         if let Some(lines) = conversions.take_if(|_| matches!(drawing.kind, Auxiliary::Klein { .. })) {
             let after_head = items.len().min(1);
@@ -282,8 +282,8 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             more(Panel::Force(panel), unnumbered(items));
         }
     }
-    for (index, drawing) in levers {
-        let items = super::auxiliary::items(index, drawing, construction, notation, figures);
+    for (index, _) in levers {
+        let items = super::auxiliary::items(index, construction, notation, figures);
         more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.cycle {
@@ -843,6 +843,40 @@ impl Teller<'_> {
         Some(Rich::fill(n.words.measured_arms, &[("list", list)]))
     }
 
+    /// By how much two trial polygons miss, as finely as it takes for the proportion to be the rate as it is printed, in a unit of
+    /// so many SI units.
+    fn missed(
+        &self,
+        (driver, order): (TrialDriver, Order),
+        missed: [f64; 2],
+        (printed, unit): (f64, f64),
+    ) -> Option<Rich> {
+        let n = self.notation;
+        let (closing, tried) = self.step.acts.iter().find_map(|act| match act {
+            Act::TryPolygon { driver: own, closing, order: of, rates } if (*own, *of) == (driver, order) => {
+                Some((closing, *rates))
+            }
+            _ => None,
+        })?;
+        let ahead = missed.map(|miss| libm::copysign(1.0, miss));
+        let by_proportion = |[first, second]: [f64; 2]| {
+            let [first, second] = [first * ahead[0], second * ahead[1]];
+            (tried[0] + (tried[1] - tried[0]) * first / (first - second)) / unit
+        };
+        let [first, second] = match closing {
+            Closing::Angle { .. } => {
+                let rate = n.angular_unit(order);
+                missed.map(|miss| human::with_unit(&human::number(miss.abs() / rate.si), &rate.symbol))
+            }
+            _ => {
+                let per_mm = self.construction.diagram(order.diagram())?.si_per_mm;
+                human::readings_for(missed.map(|miss| miss.abs() / per_mm), printed, by_proportion)
+            }
+        };
+        let template = n.words.trial_missed[usize::from(ahead[0] * ahead[1] < 0.0)];
+        Some(Rich::fill(template, &[("first", first), ("second", second)]))
+    }
+
     /// The image that two trials lead to.
     fn sought_image(&self, point: PointId, order: Order) -> Option<Label> {
         let images = &self.construction.diagram(order.diagram())?.images;
@@ -953,7 +987,7 @@ impl Teller<'_> {
                     }
                 }
             }
-            Act::TrialRate { driver, order, rate } => {
+            Act::TrialRate { driver, order, rate, missed } => {
                 let quantity = match (driver, order) {
                     (TrialDriver::Turn(link), Order::Acceleration) => Some(Quantity::Alpha(*link)),
                     (TrialDriver::Turn(link), _) => Some(Quantity::Omega(*link)),
@@ -978,7 +1012,8 @@ impl Teller<'_> {
                 };
                 let symbol = self.trial_symbol(*driver, *order)?;
                 let told = Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)]);
-                match self.read_of_trials(*driver, *order, printed) {
+                let missed = || missed.and_then(|missed| self.missed((*driver, *order), missed, printed));
+                match self.read_of_trials(*driver, *order, printed).or_else(missed) {
                     Some(read) => read.up(" ").then(&told),
                     None => told,
                 }

@@ -34,6 +34,8 @@ pub(super) const LARGEST: (f64, f64) = (160.0, 140.0);
 const SHORTEST: f64 = 1.0;
 /// Places nearer to each other than this are one.
 const TOGETHER: f64 = 0.3;
+/// And so near one name stands for both.
+const ONE_NAME: f64 = 12.0;
 
 /// The transfers of each method, in the order in which the methods are first asked.
 #[must_use]
@@ -65,6 +67,7 @@ pub(super) fn draw(
             name_turning(stroke, window, (circle, construction), notation, &mut overlay);
         }
         centres(transfers, circle, window, notation, &mut overlay);
+        overlay.within = Some(reach.paper(notation));
         overlay
     });
     let unit = notation.unit(Dimension::Velocity);
@@ -103,23 +106,56 @@ pub(super) fn ends(stroke: &TransferInk) -> (Point, Point) {
     (page(*from), page(*to))
 }
 
-/// The skeleton's ink and all arrows, with what is needed, and as many ends of other strokes as find room: a line ends at a
-/// point that is on the sheet. Centres are on the paper of their own figure.
+/// The skeleton's ink and its arrows, with what is needed, and as many ends of other strokes as find room: a line ends at a
+/// point that is on the sheet. Centres are on the paper of their own figure; an arrow at one that is not on this is not drawn.
 pub(super) fn window(transfers: &[&Transfer], skeleton: Rect, notation: &Notation<'_>) -> Window {
     let strokes = strokes(transfers);
+    let about = |(from, to): (Point, Point)| {
+        [from, to].map(|at| Rect::from_center_size(at, (2.0 * BLANK, 2.0 * BLANK)))
+    };
     let is_arrow = |stroke: &&TransferInk| {
         matches!(
             stroke,
             TransferInk::Velocity { .. } | TransferInk::Turned { .. } | TransferInk::Difference { .. }
         )
     };
-    let arrows = strokes.iter().filter(is_arrow).map(ends).flat_map(|(a, b)| [a, b]);
-    let arrows = arrows.map(|at| Rect::from_center_size(at, (2.0 * BLANK, 2.0 * BLANK)));
-    let start = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
+    let (at_centres, at_points): (Vec<_>, Vec<_>) =
+        strokes.iter().filter(is_arrow).partition(|stroke| stands_at_centre(stroke));
+    let at_points = at_points.into_iter().map(ends).flat_map(about);
+    let mut start = at_points.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
+    let most = room(notation);
+    for [foot, tip] in at_centres.into_iter().map(ends).map(about) {
+        let grown = start.union(foot);
+        if grown.width() <= most.0.max(start.width()) && grown.height() <= most.1.max(start.height()) {
+            start = grown.union(tip);
+        }
+    }
     let needed: Vec<Point> = needed(transfers).into_iter().map(page).collect();
-    let ends = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
+    let ends = strokes.iter().filter(|stroke| !stands_at_centre(stroke)).map(ends);
+    window_over(
+        start,
+        &needed,
+        ends.flat_map(|(a, b)| [a, b]).collect(),
+        super::scale::stretch(notation.scene),
+    )
+}
+
+/// Whether an arrow stands where no point of the mechanism is, but a centre.
+fn stands_at_centre(stroke: &TransferInk) -> bool {
+    matches!(stroke, TransferInk::Velocity { of: Spot::Centre(_), .. })
+}
+
+/// How large the part of the plane is that such a figure may show.
+pub(super) fn room(notation: &Notation<'_>) -> (f64, f64) {
     let (wide, high) = super::scale::stretch(notation.scene);
-    window_over(start, &needed, ends, (wide, high))
+    (LARGEST.0 * wide, LARGEST.1 * high)
+}
+
+/// Whether what it shows of the plane besides such a skeleton is no more than that.
+pub(super) fn fits(window: Rect, skeleton: Rect, notation: &Notation<'_>) -> bool {
+    let (wide, high) = room(notation);
+    let bare = skeleton.inflate(BORDER, BORDER);
+    window.width() <= wide.max(bare.width()) && window.height() <= high.max(bare.height())
 }
 
 /// What such a figure shows of the plane: what is needed, then other ends of strokes, on the part of the paper that a figure
@@ -177,6 +213,8 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
             arc(page(*centre), from, to, window, overlay);
             return;
         }
+        // Of one that stands beyond the border its lines tell where.
+        TransferInk::Velocity { .. } if !window.contains(from) => return,
         TransferInk::Velocity { of, .. } => {
             velocity(from, to, (spot_velocity(*of, notation), &spot_name(*of, notation)), overlay);
             return;
@@ -271,12 +309,15 @@ fn name_turning(
                 let here = |centre: &&Centre| matches!(centre.place, CentrePlace::At(own) if page(own).distance(at) < TOGETHER);
                 let Some(centre) = circle.centres.iter().find(here) else { continue };
                 let border = inside.lerp(at, t1);
-                // From where the line begins: that is the radius which the steps measure.
-                let metres = at.distance(inside) * construction.space.metres_per_mm;
-                let far = human::quantity(metres, &notation.scene.units.length);
-                let text = name(centre.links, notation).up("\u{a0}").then(&far);
+                let metres = at.distance(border) * construction.space.metres_per_mm;
+                let text = super::centres::further(name(centre.links, notation), metres, notation);
                 let request = leader(text, border, 0.6, "label centre-name");
-                if !overlay.labels.contains(&request) {
+                // Two lines that leave the paper side by side have one name there.
+                let told = |other: &Request| {
+                    let near = matches!(other.sites.first(), Some(Site::Around { at, .. }) if at.distance(border) < ONE_NAME);
+                    near && other.text == request.text
+                };
+                if !overlay.labels.iter().any(told) {
                     overlay.labels.push(request);
                 }
             }
@@ -436,7 +477,9 @@ fn spot_name(spot: Spot, notation: &Notation<'_>) -> String {
     match spot {
         Spot::Point(p) => notation.point_name(p).to_owned(),
         Spot::Centre(links) => centre_name(links, notation),
-        Spot::Under(p, link) => format!("{}{}", notation.point_name(p), notation.number(link)),
+        Spot::Under(p, link) => {
+            format!("{}{}", notation.point_name(p), notation.number_under(p, link))
+        }
     }
 }
 
