@@ -868,7 +868,8 @@ fn no_curve_of_a_sweep_has_a_spike() {
     let folder = Folder::new("sweep-spikes");
     let mut looked = 0;
     for example in ["s000-ch3a-2", "s000-ch4-8-d", "s000-ch4-9-d", "s000-ch4-6-c"] {
-        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(example).with_extension("json");
+        let scene =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(example).with_extension("json");
         let scene = std::path::absolute(scene).unwrap();
         let ran =
             run_in(&folder.0, &["sweep", scene.to_str().unwrap(), "--steps", "72", "-o", "s.svg"], None);

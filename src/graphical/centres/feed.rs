@@ -11,7 +11,8 @@ use super::super::construction::{Act, Claim, Label, Reference, VectorKind};
 use super::super::draughtsman::Draughtsman;
 use super::velocities::Why;
 
-const ROLLING: Why = "a wheel that rolls at the end of a rod: this version finds no accelerations from centres there";
+const ROLLING: Why =
+    "a wheel that rolls at the end of a rod: this version finds no accelerations from centres there";
 
 /// Lays off the velocities of the planned links from a pole, each found from its link's centre.
 ///
