@@ -328,8 +328,12 @@ fn unclear_motion(mechanism: &Mechanism, solution: &mut Solution) {
         bound > CERTAIN * size
             && compared_to(&asked.quantity).is_some_and(|to| to > 0.0 && bound > CERTAIN * SMALL * to)
     };
-    // Of forces what would be told as zero though what acts is no more than what its bound leaves open.
-    let forces = what_acts(mechanism, construction);
+    // Of forces what would be told as zero though what acts is no more than what its bound leaves open. With friction a bound has
+    // what a force of no direction leaves open, and says nothing of a dead centre.
+    let forces = match mechanism.forces.friction.is_empty() {
+        true => what_acts(mechanism, construction),
+        false => [0.0; 2],
+    };
     let is_lost = |(asked, reading): (&Asked, &Reading)| {
         let acts = match asked.quantity {
             Quantity::Force(of, _) => forces[usize::from(is_torque(of)?)],

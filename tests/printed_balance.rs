@@ -267,7 +267,8 @@ fn by_sheet(scene: &Scene) -> Option<Table> {
     let mut table = Table::new();
     for (asked, row) in scene.mechanism.asked.iter().zip(rows) {
         let si = asked.unit.si;
-        let cell = row[1].replace('\u{a0}', " ");
+        // Powers of ten stand behind blanks that do not break.
+        let cell = row[1].as_str();
         let row = if let Some(place) = cell.strip_prefix('(') {
             let parts: Vec<Printed> = place
                 .split(';')
@@ -275,8 +276,9 @@ fn by_sheet(scene: &Scene) -> Option<Table> {
                 .collect::<Option<_>>()?;
             Row::Vector([parts[0], parts[1]])
         } else {
-            let (value, half, rest) = number(&cell)?;
-            let size = Printed { value, half }.scaled(si);
+            let (value, half, rest) = number(cell)?;
+            // What is nothing has no figures.
+            let size = if value == 0.0 { Printed::NONE } else { Printed { value, half }.scaled(si) };
             let told =
                 format!("{rest} {}", row.get(2).map_or("", |cell| cell.as_str())).replace('\u{a0}', " ");
             let degrees = told.split(' ').find_map(|word| {
@@ -285,7 +287,7 @@ fn by_sheet(scene: &Scene) -> Option<Table> {
             });
             match degrees {
                 Some(degrees) => Row::polar(size, degrees),
-                None if is_vector(&asked.name) => Row::Vector([Printed { value: 0.0, half }.scaled(si); 2]),
+                None if is_vector(&asked.name) => Row::Vector([Printed::NONE; 2]),
                 None if told.split(' ').any(|word| word == "cw") => Row::Scalar(size.scaled(-1.0)),
                 None => Row::Scalar(size),
             }
