@@ -105,8 +105,8 @@ fn lever(drawing: &AuxiliaryDrawing, metres_per_mm: f64, notation: &Notation<'_>
     group
 }
 
-/// The skeleton's ink with as many named points as find room, the nearest first, then whole circles and closed curves; these are
-/// needed, and then come the feet to which lines are drawn.
+/// The skeleton's ink with as many named points as find room, the nearest first, which are needed; then whole circles and closed
+/// curves, and the feet to which lines are drawn.
 pub(super) fn window(drawing: &AuxiliaryDrawing, skeleton: Rect, notation: &Notation<'_>) -> Window {
     let (width, height) = compose::free_paper(notation.scene);
     let most = (width - AROUND.0, (height - AROUND.1).min(MOST_HIGH * height));
@@ -124,18 +124,18 @@ pub(super) fn window(drawing: &AuxiliaryDrawing, skeleton: Rect, notation: &Nota
     let mut places: Vec<Point> = drawing.points.iter().map(|p| page(p.at)).collect();
     places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     let about = |at: Point| Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER));
-    let mut lost: usize = places.into_iter().map(|at| grow(about(at))).sum();
+    let lost: usize = places.into_iter().map(|at| grow(about(at))).sum();
     // Whole circles where there is room for them.
     for stroke in &drawing.strokes {
         if let StrokeShape::Circle { centre, radius } = stroke.shape {
             let size = 2.0 * (radius + 2.0);
-            lost += grow(Rect::from_center_size(page(centre), (size, size)));
+            grow(Rect::from_center_size(page(centre), (size, size)));
         }
         if let StrokeShape::Curve { points, ends: [None, None] } = &stroke.shape
             && let Some(first) = points.first()
         {
             let start = Rect::from_center_size(page(*first), (0.0, 0.0));
-            lost += grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
+            grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
         }
     }
     // And the feet to which lines are drawn; a line of reference ends where the others do.

@@ -14,22 +14,17 @@ pub fn number(value: f64) -> Rich {
     computed(value, usual_figures(value)).0
 }
 
-/// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number, and
-/// where its last figure is not that of the other one it has the three figures that both have.
+/// The same of a number to which lines have come, which stands for another: only what that is exactly is a shorter number.
 #[must_use]
 pub fn number_told(told: f64, exact: f64) -> Rich {
     let short: f64 = format!("{exact:.2e}").parse().unwrap_or(exact);
     if (short - exact).abs() <= 1e-9 * exact.abs() {
         return number(told);
     }
-    if is_off(told, exact) {
-        let common = (told - short).abs() <= 0.5 * (1.0 + 1e-6) * unit_in_the_last(short, 3);
-        return if common { figures(short, 3, false) } else { number(exact) };
-    }
     computed(told, usual_figures(told)).0
 }
 
-/// Whether what lines have come to is another number than the exact one, in the figures in which it would stand there.
+/// Whether what [`number_told`] writes is another number than the exact one, in the figures that stand there.
 pub fn is_off(told: f64, exact: f64) -> bool {
     let digits = without_a_tie(told, usual_figures(told));
     let written = computed(told, usual_figures(told)).1;

@@ -34,6 +34,8 @@ pub(super) const LARGEST: (f64, f64) = (160.0, 140.0);
 const SHORTEST: f64 = 1.0;
 /// Places nearer to each other than this are one.
 const TOGETHER: f64 = 0.3;
+/// A centre that is no farther from the middle of a skeleton than so many times its size lies beside it.
+const FAR: f64 = 1.5;
 /// And so near one name stands for both.
 const ONE_NAME: f64 = 12.0;
 
@@ -130,7 +132,11 @@ pub(super) fn window(transfers: &[&Transfer], skeleton: Rect, notation: &Notatio
             start = grown.union(tip);
         }
     }
-    let needed: Vec<Point> = needed(transfers).into_iter().map(page).collect();
+    // Beside the skeleton such an arrow is seen, if need be at a scale of the figure's own.
+    let far = FAR * skeleton.width().max(skeleton.height());
+    let beside = strokes.iter().filter(|stroke| stands_at_centre(stroke)).map(ends);
+    let beside = beside.map(|(foot, _)| foot).filter(|foot| foot.distance(skeleton.center()) <= far);
+    let needed: Vec<Point> = needed(transfers).into_iter().map(page).chain(beside).collect();
     let ends = strokes.iter().filter(|stroke| !stands_at_centre(stroke)).map(ends);
     window_over(
         start,
