@@ -407,7 +407,11 @@ impl Judge<'_, '_> {
         }
         let hardly = begins && unmoved <= HARDLY_MISSED;
         if hardly {
-            tried.retain(|one| !(is_one_of_many(&one.hypothesis) && self.mistake(one).explains < 2));
+            let says_nothing = |one: &Tried| {
+                let Mistake { explains, residual, .. } = self.mistake(one);
+                is_one_of_many(&one.hypothesis) && explains < 2 && residual > MET_BY_ONE_OF_MANY
+            };
+            tried.retain(|one| !says_nothing(one));
         }
         let slip = slip || hardly;
         if tried.is_empty() && !slip {
