@@ -405,7 +405,7 @@ impl Shown<'_> {
     fn figures(&self, construction: &Construction, names: &[&str]) -> Result<Figure, NoFigure> {
         let wished = names.iter().map(|name| {
             Ok(match *name {
-                CONTROLLING_FORCE => Wished::Drawn(self.controlling_force()?),
+                CONTROLLING_FORCE => Wished::Drawn(Box::new(self.controlling_force()?)),
                 name => Wished::Named(name),
             })
         });

@@ -875,7 +875,7 @@ pub enum Wished<'a> {
     /// One of a construction, by its name.
     Named(&'a str),
     /// One that is drawn already.
-    Drawn(Figure),
+    Drawn(Box<Figure>),
 }
 
 /// Several figures: below each other, cut to their ink, as long as they are no larger than the paper; else on its pages.
@@ -901,7 +901,7 @@ pub fn figures(
                 let own = Part::all(name, before, with_words, construction, &notation);
                 parts.extend(own.ok_or(place)?);
             }
-            Wished::Drawn(figure) => parts.push(Part::Figure(figure.clone())),
+            Wished::Drawn(figure) => parts.push(Part::Figure((**figure).clone())),
         }
     }
     let (width, height) = paper(scene);

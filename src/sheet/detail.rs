@@ -235,11 +235,11 @@ fn ink_inside<T: Copy + PartialEq>(
         match &mark.shape {
             Shape::Line(from, to) => line(*from, *to),
             Shape::Polyline(points) => points.windows(2).for_each(|ends| line(ends[0], ends[1])),
-            Shape::Circle { centre, radius } if *radius <= SYMBOL => {
-                if centre.distance(spot.centre) < spot.radius {
-                    let shape = Shape::Circle { centre: spot.to_detail(*centre), radius: *radius };
-                    symbols.push(Mark { shape, class: "detail-point", precise: false, ..mark.clone() });
-                }
+            Shape::Circle { centre, radius }
+                if *radius <= SYMBOL && centre.distance(spot.centre) < spot.radius =>
+            {
+                let shape = Shape::Circle { centre: spot.to_detail(*centre), radius: *radius };
+                symbols.push(Mark { shape, class: "detail-point", precise: false, ..mark.clone() });
             }
             _ => {}
         }
