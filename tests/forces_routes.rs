@@ -159,7 +159,7 @@ fn teeth_push_apart_by_either_flank_in_a_sweep() {
                 // The input feels the torque of wheel 3 alone.
                 r#"{ "name": "M", "on": 3, "torque": { "harmonics": { "cos": [[1, 3]] } } }"#
             } else {
-                r#"{ "name": "W", "on": 2, "at": "A", "force": 100, "direction": -90 }"#
+                r#"{ "name": "W", "on": 2, "at": "A", "force": 120, "direction": -90 }"#
             }
         ));
         let sweep = linkgram::sweep::Sweep::new(&scene.mechanism, None).unwrap();
@@ -168,7 +168,7 @@ fn teeth_push_apart_by_either_flank_in_a_sweep() {
         for position in sweep.positions(&sweep.equal_steps(24)) {
             let [Some(x), Some(y)] = parts.map(|part| position.values[part]) else { panic!("no force") };
             let cos = libm::cos(position.at);
-            let tangent = if loads.is_empty() { 3.0 / 0.045 * cos } else { 100.0 * 20.0 / 30.0 * cos };
+            let tangent = if loads.is_empty() { 3.0 / 0.045 * cos } else { 120.0 * 20.0 / 30.0 * cos };
             let outward = tangent.abs() * libm::tan(20.0_f64.to_radians());
             assert!((y.abs() - tangent.abs()).abs() < 1e-9 * 100.0, "{}: {y}, {tangent}", position.at);
             assert!((x - outward).abs() < 1e-9 * 100.0, "{}: {x}, {outward}", position.at);

@@ -150,7 +150,7 @@ fn bodies(m: &Mechanism) -> Option<Vec<Body>> {
         }
         for load in m.forces.loads.iter().filter(|load| load.link == link) {
             let told = format!("load({})", load.name);
-            match (load.kind.clone(), load.at()) {
+            match (load.kind, load.at()) {
                 (LoadKind::Torque { .. }, _) => body.torques.push((told, 1.0)),
                 (_, Some(at)) => {
                     body.forces.push(Term { name: told, at: name(at), turns: false });
