@@ -240,8 +240,8 @@ fn what_is_read_in_kleins_construction_is_drawn() {
             drawn.push(from.distance(to));
         }
     });
-    // The figure stands at 1 : 2.
-    let length = long(relative) / (omega * omega) / 2.0;
+    // The figure stands at 1 : 1.
+    let length = long(relative) / (omega * omega);
     assert!(drawn.iter().any(|mm| (mm - length).abs() < 1e-6), "{length}: {drawn:?}");
 }
 
@@ -448,8 +448,8 @@ fn the_table_says_of_the_lever_what_its_line_says() {
     );
     let figure = solution(&scene);
     let all = told(&figure);
-    let line = all.iter().find(|line| line.contains("−ΣM / ω_2")).unwrap_or_else(|| panic!("{all:?}"));
-    let (value, ..) = line.rsplit_once("= −").and_then(|(_, value)| number(value)).unwrap();
+    let line = all.iter().find(|line| line.contains("|ΣM| / |ω_2|")).unwrap_or_else(|| panic!("{all:?}"));
+    let (value, ..) = line.rsplit_once("= ").and_then(|(_, value)| number(value)).unwrap();
     let rows = panels(&figure, "results").into_iter().flat_map(rows_of);
     let rows: Vec<Vec<String>> =
         rows.map(|row| row.into_iter().map(|text| plain(&characters(text))).collect()).collect();

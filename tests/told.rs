@@ -223,7 +223,11 @@ fn what_a_line_uses_was_told_before_it() {
         let given: String = given.map(|text| characters(text) + " ").collect();
         let lines = std::iter::once(given).chain(sentences(&figure));
         for line in lines {
-            let line = line.replace('\u{a0}', " ");
+            let mut line = line.replace('\u{a0}', " ");
+            // The number of a link beside a point's name is no bracket of a formula.
+            for link in 1..=9 {
+                line = line.replace(&format!("({link})"), &format!("_{link}"));
+            }
             let parts: Vec<&str> = line.split('=').collect();
             for part in &parts[1..] {
                 let formula = [" · ", " / ", "−", "+", "|", "^2"].iter().any(|sign| part.contains(sign));

@@ -161,6 +161,8 @@ pub(super) const SLIP: (f64, f64) = (0.12, 6.0);
 const MET: f64 = 0.5;
 /// The same of one of many lines, letters, lengths or formulas, one of which lies near any slip.
 const MET_BY_ONE_OF_MANY: f64 = 0.15;
+/// Or this near, where the answer hardly misses: as near as it is written, when it was calculated by that mistake.
+const CALCULATED: f64 = 0.03;
 
 /// How much a miss, in tolerances, counts.
 fn square(miss: f64) -> f64 {
@@ -409,7 +411,10 @@ impl Judge<'_, '_> {
         if hardly {
             let says_nothing = |one: &Tried| {
                 let Mistake { explains, residual, .. } = self.mistake(one);
-                is_one_of_many(&one.hypothesis) && explains < 2 && residual > MET_BY_ONE_OF_MANY
+                // About 1 the inverse of a number is near it.
+                let is_near_any =
+                    is_one_of_many(&one.hypothesis) || one.hypothesis.kind == Kind::RatioInverted;
+                is_near_any && explains < 2 && residual > CALCULATED
             };
             tried.retain(|one| !says_nothing(one));
         }
@@ -656,7 +661,8 @@ impl Judge<'_, '_> {
 
     /// Whether an answer that is right was drawn without the mistake, which would have moved it.
     fn is_disproved(&self, tried: &Tried) -> bool {
-        if tried.hypothesis.kind.is_of_scale() || !tried.hypothesis.change.redraws() {
+        // A scale or a unit is taken wrongly where one calculates, and rightly where one draws.
+        if tried.hypothesis.kind.enlarges() || !tried.hypothesis.change.redraws() {
             return false;
         }
         let Some(sketch) = self.case.drawn(&tried.change, None) else { return false };

@@ -274,8 +274,10 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         });
     let (at_centres, at_points): (Vec<_>, Vec<_>) = arrows.partition(|(at_centre, _)| *at_centre);
     let longest = |all: Vec<(bool, f64)>| all.into_iter().map(|(_, length)| length).reduce(f64::max);
-    let longest = longest(at_points).or_else(|| longest(at_centres)).unwrap_or(0.0);
-    if longest > 0.0 && record.diagram(DiagramKind::Velocity).is_none() {
+    let longest = longest(at_points).or_else(|| longest(at_centres)).filter(|longest| *longest > 0.0);
+    if let Some(longest) = longest
+        && record.diagram(DiagramKind::Velocity).is_none()
+    {
         let arrows = DiagramExtent {
             kind: DiagramKind::Velocity,
             size: [longest; 2],

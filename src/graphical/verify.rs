@@ -273,19 +273,26 @@ impl Draughtsman<'_> {
 ///
 /// # Errors
 /// [`DrawError::TurnedRound`] where a link that slides is turned by half a turn against its guide, or a link of one joint
-/// has its rider behind it.
+/// has what is driven along its guide behind it.
 fn turned_round(d: &mut Draughtsman<'_>, slide: usize) -> Result<(), DrawError> {
     let pair = d.mechanism.slides[slide];
-    if d.swivels_on(pair.guide.link, slide) && !d.faces_rider(pair.guide.link) {
+    // Beside its joint a rider may pass it; one that is driven stands where its input says.
+    let behind = d.mechanism.inputs.iter().any(
+        |input| matches!(*input, Input::Slide { slide: own, at: Some(at), .. } if own == slide && at.value < 0.0),
+    );
+    if behind && d.swivels_on(pair.guide.link, slide) && !d.faces_rider(pair.guide.link) {
         return Err(DrawError::TurnedRound { slide, how: Round::AwayFromRider });
     }
-    let Rider::Link { link, turned: Some(_) } = pair.rider else { return Ok(()) };
-    let Some(pose) = d.poses[link.0].filter(|_| d.poses[pair.guide.link.0].is_some()) else { return Ok(()) };
-    let (own, led) = d.ride_directions(slide, link);
-    let stands = d.turned_with(own, pose.own_along, pose.along);
-    let ([a, b], [x, y]) = (led.value(), stands.value());
-    if a * x + b * y < 0.0 {
-        return Err(DrawError::TurnedRound { slide, how: Round::Ride });
+    // What does not stand is turned neither way.
+    if let Rider::Link { link, turned: Some(_) } = pair.rider
+        && let (Some(pose), Some(_)) = (d.poses[link.0], d.poses[pair.guide.link.0])
+    {
+        let (own, led) = d.ride_directions(slide, link);
+        let stands = d.turned_with(own, pose.own_along, pose.along);
+        let ([a, b], [x, y]) = (led.value(), stands.value());
+        if a * x + b * y < 0.0 {
+            return Err(DrawError::TurnedRound { slide, how: Round::Ride });
+        }
     }
     Ok(())
 }

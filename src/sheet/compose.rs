@@ -1169,11 +1169,12 @@ pub fn stack(figures: &[Figure]) -> Figure {
         y += figure.height;
     }
     let titles: Vec<&str> = figures.iter().map(|f| f.title.as_str()).collect();
+    let told = figures.iter().map(|f| f.description.as_str()).filter(|told| !told.is_empty());
     Figure {
         width,
         height: y,
         title: titles.join("; "),
-        description: String::new(),
+        description: told.collect::<Vec<_>>().join("; "),
         language: figures.first().map_or("en", |f| f.language),
         root,
     }

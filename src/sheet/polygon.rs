@@ -348,14 +348,7 @@ fn draw_vector(vector: &Vector, polygon: &Diagram, notation: &Notation<'_>, wind
     let to = if vector.is_zero { from } else { page(vector.to) };
     let length = (to - from).hypot();
     let unit = notation.unit(polygon.kind.dimension());
-    let mut name = notation.quantity_name(vector.quantity);
-    // The part that a link's turning gives the point under a pin has the whole one's quantity, and is told from that by its base.
-    if let (VectorKind::Relative, Quantity::CoincidentVelocity(..), Some(base)) =
-        (vector.kind, vector.quantity, seen_from(vector, polygon))
-    {
-        let whole = name.trim_end_matches(')');
-        name = format!("{whole}/{})", notation.mechanism().point(base).name);
-    }
+    let name = notation.quantity_name(vector.quantity);
     let mut group = Group::new(format!("vector {kind}"))
         .data("quantity", name)
         .data("value", number(length * polygon.si_per_mm / unit.si))

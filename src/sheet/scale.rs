@@ -80,6 +80,8 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
 pub const STEP: (f64, f64) = (86.0, 108.0);
 /// Room for one above the words of a step: two of them fill a page.
 pub const STEP_ABOVE: (f64, f64) = (158.0, 105.0);
+/// The same of the skeleton, which is no smaller than in the solution.
+const SKELETON_ABOVE: (f64, f64) = (158.0, 150.0);
 
 /// The scales of a sheet that shows the steps one by one: those of the solution, so that its drawings are found again, or
 /// larger ones where a diagram has the room beside its words; each leaves room for these on its page.
@@ -102,7 +104,8 @@ pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
     Scales::new(|dimension| {
         let size = sizes[dimension as usize];
         let fitting = || {
-            let (beside, above) = (fit(dimension, size?, STEP)?, fit(dimension, size?, STEP_ABOVE)?);
+            let room = if dimension == Dimension::Length { SKELETON_ABOVE } else { STEP_ABOVE };
+            let (beside, above) = (fit(dimension, size?, STEP)?, fit(dimension, size?, room)?);
             Some(of_solution.of(dimension).min(beside).max(above))
         };
         stated(scene, dimension).or_else(fitting).unwrap_or(by_default(scene, dimension))

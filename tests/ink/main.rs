@@ -562,7 +562,11 @@ fn every_vector_is_what_it_is_called() {
             let longest = polygon.vectors.iter().filter_map(Vector::along).map(|[x, y]| libm::hypot(x, y));
             let longest = longest.fold(0.0, f64::max) * polygon.scale;
             for vector in &polygon.vectors {
-                let (Some(quantity), Some(along)) = (named.get(&vector.quantity), vector.along()) else {
+                // The part that a link's turning gives the point under a pin has the name of the whole, and begins elsewhere.
+                let is_part =
+                    vector.quantity.contains('@') && !["o", "o\u{2032}"].contains(&vector.tail.as_str());
+                let quantity = named.get(&vector.quantity).filter(|_| !is_part);
+                let (Some(quantity), Some(along)) = (quantity, vector.along()) else {
                     untold += 1;
                     continue;
                 };
