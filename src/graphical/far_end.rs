@@ -19,9 +19,12 @@ impl Draughtsman<'_> {
     /// Finds the places of all points by driving the mechanism where a place is given instead of where its input is. They
     /// count as given from then on. Says whether there were any.
     pub(super) fn lead_from_far_end(&mut self) -> bool {
-        self.driven_elsewhere().iter().take(MOST_INPUTS).any(|mechanism| {
+        self.driven_elsewhere().into_iter().any(|(index, other)| {
+            let mut mechanism = self.mechanism.clone();
+            mechanism.inputs[index] = other;
+            mechanism.asked.clear();
             let before = self.skeleton();
-            match self.places_as(mechanism) {
+            match self.places_as(&mechanism) {
                 Some(places) => {
                     self.pricked = places;
                     true
@@ -52,9 +55,9 @@ impl Draughtsman<'_> {
         drawn.ok().filter(|()| places.iter().all(Option::is_some)).map(|()| places)
     }
 
-    /// The mechanism with one of the inputs that say nothing of places taken to where a place is given: to a pin on a guide of
-    /// the frame, or to a link that turns about a fixed point.
-    fn driven_elsewhere(&self) -> Vec<Mechanism> {
+    /// Inputs that say nothing of places, by index, each with what is driven in its stead where a place is given: a pin on a
+    /// guide of the frame, or a link that turns about a fixed point.
+    fn driven_elsewhere(&self) -> Vec<(usize, Input)> {
         let stated = |input: &Input| match input {
             Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle.is_some(),
             Input::Slide { at, .. } => at.is_some(),
@@ -62,16 +65,13 @@ impl Draughtsman<'_> {
         let inputs = &self.mechanism.inputs;
         let silent = (0..inputs.len()).filter(|&index| !stated(&inputs[index]));
         let others = self.inputs_where_given();
-        silent
-            .flat_map(|index| {
-                others.iter().filter(move |other| !is_same(&inputs[index], other)).map(move |&other| {
-                    let mut mechanism = self.mechanism.clone();
-                    mechanism.inputs[index] = other;
-                    mechanism.asked.clear();
-                    mechanism
-                })
-            })
-            .collect()
+        let all = silent.flat_map(|index| {
+            others
+                .iter()
+                .filter(move |other| !is_same(&inputs[index], other))
+                .map(move |&other| (index, other))
+        });
+        all.take(MOST_INPUTS).collect()
     }
 
     /// What could be driven so that a given place says how it stands. How fast is of no account.
