@@ -1575,8 +1575,11 @@ fn polygon_ink(
             let own = |image: &&Image| {
                 matches!(image.label, Label::Image { point: of, .. } if of == point) && image.at == at
             };
-            let label = polygon.images.iter().find(own).map_or(Label::Pole, |image| image.label);
-            place(label)
+            match polygon.images.iter().find(own) {
+                Some(image) => place(image.label),
+                // A fixed point has no image but the pole.
+                None => place(Label::Pole).filter(|_| at == [0.0; 2]),
+            }
         };
         let by = match kind {
             'v' => {
